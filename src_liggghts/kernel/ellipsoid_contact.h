@@ -1,0 +1,64 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Contact of two ellipsoids, and of an ellipsoid with a plane, by support functions.
+//
+// Conventions, used everywhere in the kernel:
+//  - lengths in any consistent unit; nothing here has an absolute length scale;
+//  - the normal n points from body i to body j (out of i);
+//  - the overlap h is positive when the bodies penetrate, negative when they are apart
+//    (then -h is their distance);
+//  - the contact point lies in the middle of the overlap, on the common normal.
+#pragma once
+
+#include "vector3.h"
+
+namespace ellipsoid {
+
+/// An ellipsoid about the origin of its own frame, ready for contact evaluation.
+struct EllipsoidShape {
+  SymmetricMatrix3 a_matrix;        ///< A = R diag(a^2, b^2, c^2) R^T (length^2)
+  double squared_axes_product = 0.; ///< a^2 b^2 c^2 (length^6)
+  double smallest_curvature_radius = 0.; ///< min(a,b,c)^2 / max(a,b,c) (length)
+  double smallest_axis = 0.;        ///< min(a,b,c) (length)
+};
+
+/// @param[in] semiaxes  a, b, c along the body's x, y, z (length)
+/// @param[in] orientation unit quaternion, body to space
+EllipsoidShape make_shape(const Vector3& semiaxes, const Quaternion& orientation);
+
+enum class ContactStatus {
+  separated,     ///< a separating normal was found: proof that the bodies do not touch
+  touching,      ///< converged, overlap >= 0
+  not_converged  ///< iteration limit: geometry is the best found; callers count and report it
+};
+
+struct ContactGeometry {
+  ContactStatus status = ContactStatus::separated;
+  Vector3 normal;            ///< unit, from i to j
+  Vector3 point;             ///< contact point, relative to the centre of i (length)
+  double overlap = 0.0;      ///< h (length)
+  double reduced_radius = 0.0; ///< R of (19) (length); valid when touching
+  double curvature_radius_i = 0.0; ///< sqrt(det W_i): Gaussian radius of i at the contact (length)
+  double curvature_radius_j = 0.0; ///< the same of j
+  int iterations = 0;        ///< Newton steps
+};
+
+/// Contact of i with j from scratch: safe for any pose, size and aspect ratio.
+/// @param[in] centre_distance x_j - x_i (length)
+ContactGeometry find_contact(const EllipsoidShape& i, const EllipsoidShape& j,
+                             const Vector3& centre_distance);
+
+/// The same, started from a unit normal known from an earlier moment.
+ContactGeometry find_contact(const EllipsoidShape& i, const EllipsoidShape& j,
+                             const Vector3& centre_distance, const Vector3& normal_guess);
+
+/// s_i(n) + s_j(n) - n.d: a negative value for any unit n proves separation.
+double overlap_along(const EllipsoidShape& i, const EllipsoidShape& j,
+                     const Vector3& centre_distance, const Vector3& normal);
+
+/// Contact with the plane through `plane_point` (relative to the centre of i) with unit
+/// `plane_normal` pointing from the body into the wall. Closed form.
+ContactGeometry find_plane_contact(const EllipsoidShape& i, const Vector3& plane_point,
+                                   const Vector3& plane_normal);
+
+} // namespace ellipsoid
