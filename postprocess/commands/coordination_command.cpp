@@ -14,7 +14,7 @@ Row coordination_row(const PileCommandOptions& options, const ChosenFrame& chose
   const Coordination z =
       coordination(chosen.set, pile.members, coordination_settings(options, settings, pile.mean_b));
   Row row = frame_row(chosen);
-  append_pile(row, pile, settings);
+  append_pile(row, chosen.set, pile, settings);
   append_coordination(row, z, pile.mean_b);
   append_distribution(row, z);
   return row;

@@ -98,6 +98,14 @@ class FrameChooser {
 
 } // namespace
 
+void add_output_options(CLI::App& command, FrameOptions& options) {
+  command.add_option("--csv", options.csv,
+                     "write the table as CSV to a file, \"-\": to standard output");
+  command.add_option("--json", options.json,
+                     "write the table as JSON to a file, \"-\": to standard output");
+  command.add_flag("--quiet", options.quiet, "print no table for people");
+}
+
 void add_frame_options(CLI::App& command, FrameOptions& options) {
   command
       .add_option("runs", options.runs,
@@ -134,11 +142,7 @@ void add_frame_options(CLI::App& command, FrameOptions& options) {
                   "factor on all sizes of the file (0.5 where it holds diameters)")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command.add_option("--csv", options.csv,
-                     "write the table as CSV to a file, \"-\": to standard output");
-  command.add_option("--json", options.json,
-                     "write the table as JSON to a file, \"-\": to standard output");
-  command.add_flag("--quiet", options.quiet, "print no table for people");
+  add_output_options(command, options);
 }
 
 void add_plane_options(CLI::App& command, PlaneOptions& options) {
@@ -202,8 +206,12 @@ Row frame_row(const ChosenFrame& chosen) {
   return {{"run", "run", "", chosen.run}, {"timestep", "time step", "", chosen.frame.timestep}};
 }
 
+bool prints_text(const FrameOptions& options) {
+  return !options.quiet && options.csv != "-" && options.json != "-";
+}
+
 void write_table(const FrameOptions& options, const Table& table) {
-  if (!options.quiet && options.csv != "-" && options.json != "-" && !table.rows.empty())
+  if (prints_text(options) && !table.rows.empty())
     write_text("-", as_text(table));
   if (!options.csv.empty())
     write_text(options.csv, as_csv(table));

@@ -26,6 +26,8 @@ struct FrameOptions {
 };
 
 void add_frame_options(CLI::App& command, FrameOptions& options);
+/// Only --csv, --json and --quiet.
+void add_output_options(CLI::App& command, FrameOptions& options);
 
 /// The options of an in-plane pile: wall, floor, cut, outlines.
 struct PlaneOptions {
@@ -56,6 +58,9 @@ Row frame_row(const ChosenFrame& chosen);
 
 /// Writes a table as the options ask: text on standard output, CSV, JSON.
 void write_table(const FrameOptions& options, const Table& table);
+
+/// Whether tables for people go to standard output.
+bool prints_text(const FrameOptions& options);
 
 /// Prints "error: ..." on standard error.
 void report_error(const std::string& message);

@@ -17,7 +17,7 @@ Row pile_row(const PileTableOptions& options, const ChosenFrame& chosen) {
   const Pile pile = find_pile(chosen.set, settings);
   warn_of_digits(chosen);
   Row row = frame_row(chosen);
-  append_pile(row, pile, settings);
+  append_pile(row, chosen.set, pile, settings);
   std::string why;
   const std::optional<ReposeAngle> angle = try_repose(pile, settings, &why);
   if (angle)

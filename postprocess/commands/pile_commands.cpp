@@ -2,12 +2,19 @@
 #include "pile_commands.h"
 
 #include "pile_rows.h"
+#include "statistics.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <set>
 
 namespace ellipsoid::post {
+namespace {
+
+/// Quantities of the summary below a table of several runs.
+const std::vector<std::string> summarised = {"repose_angle_deg", "porosity", "zpp", "zss"};
+
+} // namespace
 
 int run_pile_command(const FrameOptions& options, const std::string& title,
                      const std::function<Row(const ChosenFrame&)>& make_row) {
@@ -16,6 +23,8 @@ int run_pile_command(const FrameOptions& options, const std::string& title,
       options, [&](const ChosenFrame& chosen) { table.rows.push_back(make_row(chosen)); });
   try {
     write_table(options, table);
+    if (prints_text(options) && table.rows.size() > 1 && options.frames != "all")
+      write_text("-", "\n" + summary_text(table, {"surface", "subspheres"}, summarised));
   } catch (const InputError& error) {
     report_error(error.what());
     code = exit_bad_data;

@@ -13,11 +13,29 @@ std::int64_t whole(std::size_t n) { return static_cast<std::int64_t>(n); }
 
 } // namespace
 
-void append_pile(Row& row, const Pile& pile, const PileOptions& options) {
+void append_pile(Row& row, const ParticleSet& set, const Pile& pile, const PileOptions& options) {
+  append_surface(row, set);
   row.push_back({"particles", "particles of the pile", "", whole(pile.members.size())});
   row.push_back({"strays", "particles outside the pile", "", whole(pile.strays)});
   row.push_back({"pile_height_m", "height", "m", pile.surface.summit().y() - options.floor});
   row.push_back({"pile_length_m", "length", "m", pile.right - pile.left});
+}
+
+void append_surface(Row& row, const ParticleSet& set) {
+  std::size_t smooth = 0, fewest = 0, most = 0;
+  for (const Particle& p : set.particles) {
+    smooth += p.is_smooth() ? 1 : 0;
+    most = std::max(most, p.sphere_count);
+    if (!p.is_smooth())
+      fewest = fewest == 0 ? p.sphere_count : std::min(fewest, p.sphere_count);
+  }
+  const bool is_mixed = smooth > 0 && smooth < set.particles.size();
+  const std::string word = is_mixed ? "mixed" : most > 0 ? "multisphere" : "smooth";
+  row.push_back({"surface", "surface", "", word});
+  Value number;
+  if (most > 0)
+    number = fewest == most ? Value(whole(most)) : Value(fmt::format("{} to {}", fewest, most));
+  row.push_back({"subspheres", "sub-spheres N", "", number});
 }
 
 void append_repose(Row& row, const ReposeAngle& angle, const std::string& side) {

@@ -11,7 +11,9 @@
 
 namespace ellipsoid::post {
 
-void append_pile(Row& row, const Pile& pile, const PileOptions& options);
+/// "smooth", "multisphere" or "mixed", and the number of sub-spheres: the groups of summaries.
+void append_surface(Row& row, const ParticleSet& set);
+void append_pile(Row& row, const ParticleSet& set, const Pile& pile, const PileOptions& options);
 void append_repose(Row& row, const ReposeAngle& angle, const std::string& side = "");
 void append_porosity(Row& row, const Porosity& porosity);
 void append_coordination(Row& row, const Coordination& z, double mean_b);

@@ -11,7 +11,7 @@ Row porosity_row(const PileCommandOptions& options, const ChosenFrame& chosen) {
   const PileOptions settings = plane_settings(options.plane);
   const Pile pile = find_pile(chosen.set, settings);
   Row row = frame_row(chosen);
-  append_pile(row, pile, settings);
+  append_pile(row, chosen.set, pile, settings);
   append_porosity(
       row, plane_porosity(pile, settings, porosity_settings(options), try_repose(pile, settings)));
   return row;

@@ -11,7 +11,7 @@ Row repose_row(const PileCommandOptions& options, const ChosenFrame& chosen) {
   const PileOptions settings = plane_settings(options.plane);
   const Pile pile = find_pile(chosen.set, settings);
   Row row = frame_row(chosen);
-  append_pile(row, pile, settings);
+  append_pile(row, chosen.set, pile, settings);
   if (settings.wall) {
     append_repose(row, repose_angle(pile, settings, Flank::right));
   } else {

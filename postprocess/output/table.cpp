@@ -85,6 +85,36 @@ std::string vertical(const Row& row) {
   return text;
 }
 
+std::string cell(const Row& row, const Quantity& q) {
+  const Value* value = find_value(row, q.key);
+  return value ? shown(*value) : "-";
+}
+
+/// A line per row of the table.
+std::string across(const std::vector<Row>& rows, const std::vector<Quantity>& header) {
+  std::vector<std::vector<std::string>> lines(1);
+  for (const Quantity& q : header)
+    lines[0].push_back(q.unit.empty() ? q.name : q.name + " [" + q.unit + "]");
+  for (const Row& row : rows) {
+    lines.emplace_back();
+    for (const Quantity& q : header)
+      lines.back().push_back(cell(row, q));
+  }
+  return aligned(lines);
+}
+
+/// A line per quantity, the rows from `first` to `last` side by side.
+std::string beside(const Table& table, const std::vector<Quantity>& header, std::size_t first,
+                   std::size_t last) {
+  std::vector<std::vector<std::string>> lines;
+  for (const Quantity& q : header) {
+    lines.push_back({"  " + (q.unit.empty() ? q.name : q.name + " [" + q.unit + "]")});
+    for (std::size_t k = first; k < last; ++k)
+      lines.back().push_back(cell(table.rows[k], q));
+  }
+  return aligned(lines);
+}
+
 } // namespace
 
 std::vector<Quantity> Table::header() const {
@@ -109,19 +139,13 @@ std::string as_text(const Table& table) {
   if (table.rows.size() == 1)
     return text + vertical(table.rows.front());
   const std::vector<Quantity> header = table.header();
-  std::vector<std::vector<std::string>> lines(2);
-  for (const Quantity& q : header) {
-    lines[0].push_back(q.name);
-    lines[1].push_back(q.unit.empty() ? "" : "[" + q.unit + "]");
-  }
-  for (const Row& row : table.rows) {
-    lines.emplace_back();
-    for (const Quantity& q : header) {
-      const Value* value = find_value(row, q.key);
-      lines.back().push_back(value ? shown(*value) : "-");
-    }
-  }
-  return text + aligned(lines);
+  constexpr std::size_t side_by_side = 6, few = 12;
+  if (table.rows.size() > few || header.size() < side_by_side)
+    return text + across(table.rows, header);
+  for (std::size_t first = 0; first < table.rows.size(); first += side_by_side)
+    text += (first > 0 ? "\n" : "") +
+            beside(table, header, first, std::min(first + side_by_side, table.rows.size()));
+  return text;
 }
 
 std::string as_csv(const Table& table) {
