@@ -139,9 +139,10 @@ std::string as_text(const Table& table) {
   if (table.rows.size() == 1)
     return text + vertical(table.rows.front());
   const std::vector<Quantity> header = table.header();
-  constexpr std::size_t side_by_side = 6, few = 12;
-  if (table.rows.size() > few || header.size() < side_by_side)
-    return text + across(table.rows, header);
+  constexpr std::size_t side_by_side = 6, few = 12, widest = 120; // rows, rows, letters
+  const std::string wide = across(table.rows, header);
+  if (table.rows.size() > few || wide.find('\n') <= widest)
+    return text + wide;
   for (std::size_t first = 0; first < table.rows.size(); first += side_by_side)
     text += (first > 0 ? "\n" : "") +
             beside(table, header, first, std::min(first + side_by_side, table.rows.size()));
