@@ -1,0 +1,257 @@
+# Gets LIGGGHTS, and lays out in the build tree what the engine is compiled from:
+#   liggghts/download/      Debian's tarball, kept
+#   liggghts/pristine/src/  the host as it came
+#   liggghts/patched/src/   the host, all patches, and links to the headers of src_liggghts/
+#   liggghts/stock/src/     the host and only those patches without which it does not compile
+# Files are written only where their content changes, so that builds stay incremental.
+
+set(ELLIPSOID_PATCHES_DIR ${CMAKE_CURRENT_LIST_DIR})
+set(ELLIPSOID_HOST_DIR ${PROJECT_BINARY_DIR}/liggghts)
+file(GLOB ELLIPSOID_PATCH_FILES CONFIGURE_DEPENDS ${ELLIPSOID_PATCHES_DIR}/*.patch)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+  ${ELLIPSOID_PATCH_FILES} ${ELLIPSOID_PATCHES_DIR}/apply.sh)
+
+# Runs a command; its output is shown, and a failure ends the configuration.
+function(ellipsoid_run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "This command failed (${result}), see above: ${command}")
+  endif()
+endfunction()
+
+# The files of the host's src/ that take part in a build.
+function(ellipsoid_glob_host folder result)
+  file(GLOB files RELATIVE ${folder} ${folder}/*.cpp ${folder}/*.h ${folder}/*.txt
+    ${folder}/Make.sh ${folder}/style_contact_model*.whitelist)
+  list(FILTER files EXCLUDE REGEX "^(style_.*\\.h|version_liggghts\\.h|CMakeLists\\.txt)$")
+  set(${result} ${files} PARENT_SCOPE)
+endfunction()
+
+# Makes the folder `to` equal to the folder `from`, touching only what differs.
+function(ellipsoid_mirror from to)
+  file(MAKE_DIRECTORY ${to})
+  ellipsoid_glob_host(${from} wanted)
+  ellipsoid_glob_host(${to} present)
+  foreach(name IN LISTS present)
+    if(NOT name IN_LIST wanted OR IS_SYMLINK ${to}/${name})
+      file(REMOVE ${to}/${name})
+    endif()
+  endforeach()
+  foreach(name IN LISTS wanted)
+    file(COPY_FILE ${from}/${name} ${to}/${name} ONLY_IF_DIFFERENT)
+  endforeach()
+endfunction()
+
+# One word for the content of the host as the user or Debian gives it.
+function(ellipsoid_source_key source result)
+  if(IS_DIRECTORY ${source})
+    ellipsoid_glob_host(${source} files)
+    set(key "")
+    foreach(name IN LISTS files)
+      file(SHA256 ${source}/${name} hash)
+      string(APPEND key "${name} ${hash}\n")
+    endforeach()
+    string(SHA256 key "${key}")
+  else()
+    file(SHA256 ${source} key)
+  endif()
+  set(${result} ${key} PARENT_SCOPE)
+endfunction()
+
+# The folder or tarball to start from; of a folder, the one that holds the sources themselves.
+function(ellipsoid_find_source result)
+  set(source "${LIGGGHTS_SOURCE}")
+  if(source STREQUAL "")
+    set(source ${ELLIPSOID_HOST_DIR}/download/liggghts_3.8.0+repack1.orig.tar.xz)
+    if(NOT EXISTS ${source})
+      message(STATUS "Getting LIGGGHTS from Debian's source package")
+    endif()
+    ellipsoid_run(bash ${ELLIPSOID_PATCHES_DIR}/fetch_debian_source.sh
+      ${ELLIPSOID_HOST_DIR}/download)
+  elseif(NOT EXISTS ${source})
+    message(FATAL_ERROR "LIGGGHTS_SOURCE='${source}' does not exist; "
+      "allowed: a folder or a tarball of LIGGGHTS-PUBLIC 3.8.0")
+  elseif(EXISTS ${source}/src/version_liggghts.txt)
+    set(source ${source}/src)
+  elseif(IS_DIRECTORY ${source} AND NOT EXISTS ${source}/version_liggghts.txt)
+    message(FATAL_ERROR "LIGGGHTS_SOURCE='${source}' is no LIGGGHTS source tree: "
+      "src/version_liggghts.txt is missing; give the folder that contains src/")
+  endif()
+  set(${result} ${source} PARENT_SCOPE)
+endfunction()
+
+# Unpacks or copies the host to liggghts/pristine/src, and checks what it is.
+function(ellipsoid_make_pristine source)
+  message(STATUS "Unpacking LIGGGHTS from ${source}")
+  set(unpacked ${ELLIPSOID_HOST_DIR}/unpacked)
+  file(REMOVE_RECURSE ${unpacked} ${ELLIPSOID_HOST_DIR}/pristine)
+  set(folder ${source})
+  if(NOT IS_DIRECTORY ${source})
+    file(ARCHIVE_EXTRACT INPUT ${source} DESTINATION ${unpacked})
+    file(GLOB folder ${unpacked}/src ${unpacked}/*/src)
+    if(NOT folder)
+      message(FATAL_ERROR "'${source}' is no tarball of LIGGGHTS: it has no folder src/; "
+        "give LIGGGHTS-PUBLIC 3.8.0")
+    endif()
+    list(GET folder 0 folder)
+  endif()
+  ellipsoid_mirror(${folder} ${ELLIPSOID_HOST_DIR}/pristine/src)
+  file(REMOVE_RECURSE ${unpacked})
+  ellipsoid_run(bash ${ELLIPSOID_PATCHES_DIR}/apply.sh check ${ELLIPSOID_HOST_DIR}/pristine)
+endfunction()
+
+# The host's own list of compiled contact models takes a while, so it is made once.
+function(ellipsoid_make_whitelist)
+  set(scratch ${ELLIPSOID_HOST_DIR}/scratch)
+  message(STATUS "Listing the contact models of LIGGGHTS")
+  ellipsoid_mirror(${ELLIPSOID_HOST_DIR}/pristine/src ${scratch})
+  execute_process(COMMAND sh Make.sh models WORKING_DIRECTORY ${scratch}
+    OUTPUT_QUIET RESULT_VARIABLE result)
+  if(NOT EXISTS ${scratch}/style_contact_model.whitelist)
+    message(FATAL_ERROR "Make.sh of LIGGGHTS wrote no style_contact_model.whitelist (${result})")
+  endif()
+  file(COPY_FILE ${scratch}/style_contact_model.whitelist
+    ${ELLIPSOID_HOST_DIR}/style_contact_model.whitelist)
+  file(REMOVE_RECURSE ${scratch})
+endfunction()
+
+# ellipsoid_make_tree(NAME [KIND]): liggghts/NAME/src from pristine and the patches of this kind
+function(ellipsoid_make_tree name)
+  set(scratch ${ELLIPSOID_HOST_DIR}/scratch)
+  file(REMOVE_RECURSE ${scratch})
+  ellipsoid_mirror(${ELLIPSOID_HOST_DIR}/pristine/src ${scratch}/src)
+  ellipsoid_run(bash ${ELLIPSOID_PATCHES_DIR}/apply.sh apply ${scratch} ${ARGN})
+  file(COPY_FILE ${ELLIPSOID_HOST_DIR}/style_contact_model.whitelist
+    ${scratch}/src/style_contact_model.whitelist)
+  if(NOT ELLIPSOID_VTK) # these two lack the guard that the other VTK files have
+    file(REMOVE ${scratch}/src/dump_mesh_vtk.h ${scratch}/src/dump_mesh_vtk.cpp)
+  endif()
+  ellipsoid_mirror(${scratch}/src ${ELLIPSOID_HOST_DIR}/${name}/src)
+  file(REMOVE_RECURSE ${scratch})
+endfunction()
+
+# Links FILES into the tree, in the place of the links that are there.
+function(ellipsoid_link_files folder)
+  file(GLOB present ${folder}/*)
+  foreach(file IN LISTS present)
+    if(IS_SYMLINK ${file})
+      file(REMOVE ${file})
+    endif()
+  endforeach()
+  foreach(file IN LISTS ARGN)
+    get_filename_component(name ${file} NAME)
+    file(CREATE_LINK ${file} ${folder}/${name} SYMBOLIC)
+  endforeach()
+endfunction()
+
+# Lets the host collect its styles: style_*.h. LIGGGHTS's version line carries the time of
+# the build; here it says what was built, so that nothing is compiled for a new time.
+function(ellipsoid_make_styles folder version)
+  if(EXISTS ${folder}/version_liggghts.h)
+    file(RENAME ${folder}/version_liggghts.h ${folder}/version_liggghts.kept)
+  endif()
+  foreach(what style models)
+    execute_process(COMMAND sh Make.sh ${what} WORKING_DIRECTORY ${folder}
+      OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    if(output MATCHES "ERROR")
+      message(FATAL_ERROR "Make.sh ${what} of LIGGGHTS failed in ${folder}: ${output}")
+    endif()
+  endforeach()
+  if(NOT EXISTS ${folder}/style_contact_model.h)
+    message(FATAL_ERROR "Make.sh of LIGGGHTS wrote no style_contact_model.h: ${output}")
+  endif()
+  if(EXISTS ${folder}/version_liggghts.kept)
+    file(RENAME ${folder}/version_liggghts.kept ${folder}/version_liggghts.h)
+  endif()
+  file(STRINGS ${folder}/version_liggghts_branch.txt branch LIMIT_COUNT 1)
+  file(CONFIGURE OUTPUT ${folder}/version_liggghts.h @ONLY
+    CONTENT "#define LIGGGHTS_VERSION \"${branch} ${version}\"\n")
+endfunction()
+
+# Everything above, only as far as something changed since the last time.
+function(ellipsoid_prepare_host own_headers whitelist)
+  file(MAKE_DIRECTORY ${ELLIPSOID_HOST_DIR})
+  ellipsoid_find_source(source)
+  ellipsoid_source_key(${source} source_key)
+  set(old_source_key "")
+  if(EXISTS ${ELLIPSOID_HOST_DIR}/source.key)
+    file(READ ${ELLIPSOID_HOST_DIR}/source.key old_source_key)
+  endif()
+  if(NOT source_key STREQUAL old_source_key)
+    file(REMOVE ${ELLIPSOID_HOST_DIR}/source.key ${ELLIPSOID_HOST_DIR}/trees.key)
+    ellipsoid_make_pristine(${source})
+    ellipsoid_make_whitelist()
+    file(WRITE ${ELLIPSOID_HOST_DIR}/source.key ${source_key})
+  endif()
+
+  set(trees_key "${source_key} vtk=${ELLIPSOID_VTK}")
+  foreach(file IN LISTS ELLIPSOID_PATCH_FILES)
+    file(SHA256 ${file} hash)
+    string(APPEND trees_key " ${hash}")
+  endforeach()
+  set(old_trees_key "")
+  if(EXISTS ${ELLIPSOID_HOST_DIR}/trees.key)
+    file(READ ${ELLIPSOID_HOST_DIR}/trees.key old_trees_key)
+  endif()
+  if(NOT trees_key STREQUAL old_trees_key)
+    file(REMOVE ${ELLIPSOID_HOST_DIR}/trees.key)
+    message(STATUS "Patching LIGGGHTS")
+    ellipsoid_make_tree(patched)
+    message(STATUS "Patching the LIGGGHTS to compare with: compile fixes only")
+    ellipsoid_make_tree(stock compile)
+    file(WRITE ${ELLIPSOID_HOST_DIR}/trees.key "${trees_key}")
+  endif()
+
+  ellipsoid_link_files(${ELLIPSOID_HOST_DIR}/patched/src ${own_headers} ${whitelist})
+  ellipsoid_make_styles(${ELLIPSOID_HOST_DIR}/patched/src
+    "3.8.0 with liggghts-ellipsoid ${PROJECT_VERSION}")
+  ellipsoid_make_styles(${ELLIPSOID_HOST_DIR}/stock/src "3.8.0, compile fixes only")
+endfunction()
+
+# The .cpp files of the two trees, in three lists: `common` compile to the same object in both
+# trees, because neither they nor anything they include differs; the others are compiled twice.
+function(ellipsoid_compare_trees common_result patched_result stock_result)
+  set(patched ${ELLIPSOID_HOST_DIR}/patched/src)
+  set(stock ${ELLIPSOID_HOST_DIR}/stock/src)
+  file(GLOB patched_files RELATIVE ${patched} ${patched}/*.cpp ${patched}/*.h)
+  set(changed "")
+  foreach(name IN LISTS patched_files)
+    set(in_stock "")
+    if(EXISTS ${stock}/${name})
+      file(SHA256 ${stock}/${name} in_stock)
+    endif()
+    file(SHA256 ${patched}/${name} in_patched)
+    if(NOT in_patched STREQUAL in_stock)
+      list(APPEND changed ${name})
+    endif()
+    file(STRINGS ${patched}/${name} lines REGEX "^[ \t]*#[ \t]*include[ \t]*\"")
+    list(TRANSFORM lines REPLACE "^[^\"]*\"([^\"]*)\".*" "\\1")
+    set(includes_${name} ${lines})
+  endforeach()
+
+  set(newly_changed ${changed})
+  set(unchanged ${patched_files})
+  while(newly_changed)
+    list(REMOVE_ITEM unchanged ${newly_changed})
+    set(newly_changed "")
+    foreach(name IN LISTS unchanged)
+      foreach(included IN LISTS includes_${name})
+        if(included IN_LIST changed)
+          list(APPEND newly_changed ${name})
+          break()
+        endif()
+      endforeach()
+    endforeach()
+    list(APPEND changed ${newly_changed})
+  endwhile()
+
+  list(FILTER changed INCLUDE REGEX "\\.cpp$")
+  list(FILTER unchanged INCLUDE REGEX "\\.cpp$")
+  list(TRANSFORM unchanged PREPEND ${patched}/ OUTPUT_VARIABLE common_files)
+  list(TRANSFORM changed PREPEND ${patched}/ OUTPUT_VARIABLE patched_only_files)
+  list(TRANSFORM changed PREPEND ${stock}/ OUTPUT_VARIABLE stock_only_files)
+  set(${common_result} ${common_files} PARENT_SCOPE)
+  set(${patched_result} ${patched_only_files} PARENT_SCOPE)
+  set(${stock_result} ${stock_only_files} PARENT_SCOPE)
+endfunction()
