@@ -135,7 +135,7 @@ private:
     const double reach = atom->radius[i] + atom->radius[j];
     const ellipsoid::Vector3 distance{x_j[0] - x_i[0], x_j[1] - x_i[1], x_j[2] - x_i[2]};
     const double squared_distance = dot(distance, distance);
-    counts_.values[ContactCounts::near_pairs] += 1.0;
+    counts_.values[ContactCounts::near_pairs] += j < atom->nlocal ? 1.0 : 0.5;
     if (squared_distance < reach * reach) {
       const ellipsoid::ContactGeometry geometry = search(i, j, distance, history);
       if (geometry.status != ellipsoid::ContactStatus::separated) {
@@ -166,13 +166,17 @@ private:
         return geometry;
       geometry = find_contact(shape_i, shape_j, distance);
     }
-    counts_.values[ContactCounts::searched_pairs] += 1.0;
-    counts_.values[ContactCounts::newton_steps] += geometry.iterations;
-    if (geometry.status == ContactStatus::not_converged)
-      counts_.values[ContactCounts::not_converged] += 1.0;
+    count_search(geometry, j < atom->nlocal ? 1.0 : 0.5);
     if (contact_.computeflag)
       ellipsoid_host::store(-geometry.normal, &history[normal_x]);
     return geometry;
+  }
+
+  void count_search(const ellipsoid::ContactGeometry& geometry, double share) {
+    counts_.values[ContactCounts::searched_pairs] += share;
+    counts_.values[ContactCounts::newton_steps] += share * geometry.iterations;
+    if (geometry.status == ellipsoid::ContactStatus::not_converged)
+      counts_.values[ContactCounts::not_converged] += share;
   }
 
   void forget_contact(int i, int j, int& flag, double* history) {

@@ -53,16 +53,9 @@ const std::map<int64_t, Creator>& compiled_combinations() {
 
 } // namespace
 
-PairGranEllipsoid::PairGranEllipsoid(LAMMPS* lmp) : PairGran(lmp) {
-  nextra = ContactCounts::item_count;
-  pvector = new double[ContactCounts::item_count]();
-}
+PairGranEllipsoid::PairGranEllipsoid(LAMMPS* lmp) : PairGran(lmp) {}
 
-PairGranEllipsoid::~PairGranEllipsoid() {
-  delete impl_;
-  delete[] pvector;
-  pvector = nullptr;
-}
+PairGranEllipsoid::~PairGranEllipsoid() { delete impl_; }
 
 void PairGranEllipsoid::create(int64_t variant) {
   delete impl_;
@@ -121,11 +114,10 @@ const std::vector<ellipsoid::EllipsoidShape>& PairGranEllipsoid::update_shapes()
 }
 
 void PairGranEllipsoid::publish(const ContactCounts& counts) {
-  for (int k = 0; k < ContactCounts::item_count; ++k)
-    pvector[k] = counts.values[k];
+  counts_ = counts;
   if (counts.values[ContactCounts::not_converged] > 0.0 && !warned_) {
     warned_ = true;
     error->warning(FLERR, "pair_style gran/ellipsoid: a contact search did not converge; the best "
-                          "geometry found is used. 'compute pair' counts these (5th value)");
+                          "geometry found is used. 'compute contacts/ellipsoid' counts these");
   }
 }

@@ -44,6 +44,7 @@ public:
   const std::vector<ellipsoid::EllipsoidShape>& update_shapes();
   /// Owned pairs count once, pairs with a ghost half on each rank.
   void publish(const ContactCounts& counts);
+  const ContactCounts& counts() const { return counts_; }
 
 protected:
   void compute_force(int eflag, int vflag, int addflag) override {
@@ -53,6 +54,7 @@ protected:
 private:
   LIGGGHTS::PairStyles::IGranularPairStyle* impl_ = nullptr;
   std::vector<ellipsoid::EllipsoidShape> shapes_;
+  ContactCounts counts_;
   bool warned_ = false;
 
   void create(int64_t variant);
