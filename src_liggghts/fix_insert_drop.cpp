@@ -99,7 +99,9 @@ void FixInsertDrop::schedule() {
     return;
   }
   const bigint due = first_step_ + static_cast<bigint>(std::llround(inserted_ * interval_ / update->dt));
-  next_reneighbor = std::max(due, update->ntimestep + 1);
+  // a taken place is tried again a few times per interval: every try rebuilds the neighbour lists
+  const bigint wait = postponed_ ? 1 + static_cast<bigint>(0.1 * interval_ / update->dt) : 1;
+  next_reneighbor = std::max(due, update->ntimestep + wait);
 }
 
 double FixInsertDrop::max_rad(int type) {
