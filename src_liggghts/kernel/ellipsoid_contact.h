@@ -2,6 +2,14 @@
 //
 // Contact of two ellipsoids, and of an ellipsoid with a plane, by support functions.
 //
+// With A = R diag(a^2, b^2, c^2) R^T the support function of an ellipsoid is
+//   s(n) = sqrt(n^T A n)                                            (length),
+// and the signed overlap of i and j, d = x_j - x_i, is the minimum over unit n of
+//   phi(n) = s_i(n) + s_j(n) - n.d                                  (length).
+// A negative value for ANY n proves separation. The minimum is found by Newton's method on the
+// sphere (two unknowns); the tangent-plane second derivatives W of s are the tensors of the
+// radii of curvature, so the Hessian of phi is W_i + W_j - phi I.
+//
 // Conventions, used everywhere in the kernel:
 //  - lengths in any consistent unit; nothing here has an absolute length scale;
 //  - the normal n points from body i to body j (out of i);
@@ -10,51 +18,70 @@
 //  - the contact point lies in the middle of the overlap, on the common normal.
 #pragma once
 
+#include "contact_tolerances.h"
 #include "vector3.h"
 
 namespace ellipsoid {
 
 /// An ellipsoid about the origin of its own frame, ready for contact evaluation.
 struct EllipsoidShape {
-  SymmetricMatrix3 a_matrix;        ///< A = R diag(a^2, b^2, c^2) R^T (length^2)
-  double squared_axes_product = 0.; ///< a^2 b^2 c^2 (length^6)
+  SymmetricMatrix3 a_matrix;             ///< A = R diag(a^2, b^2, c^2) R^T (length^2)
+  double squared_axes_product = 0.0;     ///< a^2 b^2 c^2 (length^6)
   double smallest_curvature_radius = 0.; ///< min(a,b,c)^2 / max(a,b,c) (length)
-  double smallest_axis = 0.;        ///< min(a,b,c) (length)
 };
 
-/// @param[in] semiaxes  a, b, c along the body's x, y, z (length)
+/// @param[in] semiaxes    a, b, c along the body's x, y, z (length, > 0)
 /// @param[in] orientation unit quaternion, body to space
 EllipsoidShape make_shape(const Vector3& semiaxes, const Quaternion& orientation);
 
 enum class ContactStatus {
-  separated,     ///< a separating normal was found: proof that the bodies do not touch
-  touching,      ///< converged, overlap >= 0
-  not_converged  ///< iteration limit: geometry is the best found; callers count and report it
+  separated,    ///< a separating normal was found: proof that the bodies do not touch
+  touching,     ///< converged, overlap >= 0
+  not_converged ///< iteration limit: the geometry is the best found; callers count and report it
 };
 
 struct ContactGeometry {
   ContactStatus status = ContactStatus::separated;
-  Vector3 normal;            ///< unit, from i to j
-  Vector3 point;             ///< contact point, relative to the centre of i (length)
-  double overlap = 0.0;      ///< h (length)
-  double reduced_radius = 0.0; ///< R of (19) (length); valid when touching
+  Vector3 normal;                  ///< unit, from i to j
+  Vector3 point;                   ///< contact point, relative to the centre of i (length)
+  double overlap = 0.0;            ///< h (length)
+  double reduced_radius = 0.0;     ///< R of (19) (length)
   double curvature_radius_i = 0.0; ///< sqrt(det W_i): Gaussian radius of i at the contact (length)
-  double curvature_radius_j = 0.0; ///< the same of j
-  int iterations = 0;        ///< Newton steps
+  double curvature_radius_j = 0.0; ///< the same of j; infinity for a plane
+  int iterations = 0;              ///< Newton steps
+};
+
+/// When the search may stop.
+enum class SearchGoal {
+  contact, ///< at the first separating normal: `overlap` is then only a lower bound of the distance
+  distance ///< never before convergence: the exact distance of separated bodies, too
+};
+
+struct SearchOptions {
+  SearchGoal goal = SearchGoal::contact;
+  int newton_limit = tolerance::newton_limit;
 };
 
 /// Contact of i with j from scratch: safe for any pose, size and aspect ratio.
 /// @param[in] centre_distance x_j - x_i (length)
 ContactGeometry find_contact(const EllipsoidShape& i, const EllipsoidShape& j,
-                             const Vector3& centre_distance);
+                             const Vector3& centre_distance, const SearchOptions& options = {});
 
 /// The same, started from a unit normal known from an earlier moment.
-ContactGeometry find_contact(const EllipsoidShape& i, const EllipsoidShape& j,
-                             const Vector3& centre_distance, const Vector3& normal_guess);
+ContactGeometry find_contact_from(const Vector3& normal_guess, const EllipsoidShape& i,
+                                  const EllipsoidShape& j, const Vector3& centre_distance,
+                                  const SearchOptions& options = {});
 
-/// s_i(n) + s_j(n) - n.d: a negative value for any unit n proves separation.
-double overlap_along(const EllipsoidShape& i, const EllipsoidShape& j,
-                     const Vector3& centre_distance, const Vector3& normal);
+/// Support function s(n) = sqrt(n^T A n) (length); n need not be a unit vector.
+inline double support(const EllipsoidShape& shape, const Vector3& normal) {
+  return std::sqrt(dot(normal, shape.a_matrix * normal));
+}
+
+/// phi(n) = s_i(n) + s_j(n) - n.d: a negative value for any unit n proves separation.
+inline double overlap_along(const EllipsoidShape& i, const EllipsoidShape& j,
+                            const Vector3& centre_distance, const Vector3& normal) {
+  return support(i, normal) + support(j, normal) - dot(normal, centre_distance);
+}
 
 /// Contact with the plane through `plane_point` (relative to the centre of i) with unit
 /// `plane_normal` pointing from the body into the wall. Closed form.

@@ -1,0 +1,50 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Every tolerance of the ellipsoid contact search, with what it means physically.
+// All are dimensionless: they are relative to the bodies' own size, or angles.
+#pragma once
+
+namespace ellipsoid {
+namespace tolerance {
+
+/// Newton's method is quadratic: a step of angle e leaves an error of about
+/// (condition number of the Hessian) (change of the radii of curvature per radian) e^2. The search
+/// stops when that predicted error of the normal falls below this angle (rad); the contact point is
+/// then exact to this angle times the largest radius of curvature, the overlap to its square.
+constexpr double normal_error = 1.0e-14;
+
+/// A step that moves the support points by less than this share of the smaller body's extent is
+/// not taken: the contact point is as exact already.
+constexpr double negligible_displacement = 1.0e-12;
+
+/// Longest accepted Newton step (rad): beyond it the quadratic model of the support
+/// functions of a slender body (aspect 20 turns its radius within 1/20 rad) says nothing.
+constexpr double largest_step = 0.5;
+
+/// Share of the predicted decrease that a step has to deliver (Armijo's condition).
+constexpr double sufficient_decrease = 1.0e-4;
+
+/// The overlap function is evaluated as a difference of lengths; its rounding noise is this
+/// share of the distances of the support points. A step whose decrease hides in it is accepted.
+constexpr double rounding_noise = 4.0e-15;
+
+/// A Hessian eigenvalue below this share of the Hessian's trace is treated as non-convex.
+constexpr double convexity = 1.0e-9;
+
+/// Newton steps before a contact is called not converged. Where the overlap equals a radius of
+/// curvature the Hessian is singular and convergence only linear: random poses at aspect 20 have
+/// needed up to 96 steps there.
+constexpr int newton_limit = 200;
+
+/// Halvings of one step before the search direction is given up.
+constexpr int halving_limit = 40;
+
+/// Iterations of the scalar search for the first normal; each at least halves the bracket.
+constexpr int bracket_limit = 60;
+
+/// Relative width at which the scalar search for the first normal stops: the result is only
+/// a starting point, but its sign decides about touching (see first_normal).
+constexpr double bracket_width = 1.0e-6;
+
+} // namespace tolerance
+} // namespace ellipsoid

@@ -1,0 +1,320 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "ellipsoid_contact.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace ellipsoid {
+
+namespace {
+
+/// Two unit vectors that make a right-handed frame with the unit vector n; no square root and
+/// no branch but a sign (Duff et al. 2017, J. Comput. Graph. Tech. 6(1), listing 3).
+struct TangentFrame {
+  Vector3 first, second;
+
+  explicit TangentFrame(const Vector3& n) {
+    const double sign = std::copysign(1.0, n.z);
+    const double p = -1.0 / (sign + n.z);
+    const double q = n.x * n.y * p;
+    first = {1.0 + sign * n.x * n.x * p, sign * q, -sign * n.x};
+    second = {q, sign + n.y * n.y * p, -n.y};
+  }
+};
+
+/// Symmetric 2x2 matrix in a tangent plane.
+struct TangentMatrix {
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+  double trace() const { return xx + yy; }
+  double determinant() const { return xx * yy - xy * xy; }
+};
+
+/// phi and its first derivatives at one normal.
+struct OverlapFunction {
+  Vector3 normal;
+  Vector3 support_point_i, support_point_j; // A n / s: farthest points along n (length)
+  double support_i, support_j;
+  double value;     // phi (length)
+  Vector3 gradient; // of the degree-one extension: n.gradient = phi (length)
+
+  OverlapFunction(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& centre_distance,
+                  const Vector3& n)
+      : normal(n) {
+    const Vector3 a_i = i.a_matrix * n, a_j = j.a_matrix * n;
+    support_i = std::sqrt(dot(n, a_i));
+    support_j = std::sqrt(dot(n, a_j));
+    support_point_i = (1.0 / support_i) * a_i;
+    support_point_j = (1.0 / support_j) * a_j;
+    value = support_i + support_j - dot(n, centre_distance);
+    gradient = support_point_i + support_point_j - centre_distance;
+  }
+
+  /// Relative change of the radii of curvature per radian that n turns, as an upper estimate:
+  /// W ~ 1 / s^3, and s changes by the tangential part of the support point.
+  double radius_change_rate() const {
+    const double slope_i = dot(support_point_i, support_point_i) / (support_i * support_i) - 1.0;
+    const double slope_j = dot(support_point_j, support_point_j) / (support_j * support_j) - 1.0;
+    return 1.0 + 3.0 * std::sqrt(std::fmax(0.0, std::fmax(slope_i, slope_j)));
+  }
+
+  /// Length below which differences of `value` are noise.
+  double noise() const {
+    return tolerance::rounding_noise *
+           (norm(support_point_i) + norm(support_point_j) + std::fabs(value));
+  }
+};
+
+/// W_i + W_j in the tangent frame, W = (A - (A n)(A n)^T / s^2) / s: radii of curvature (length).
+TangentMatrix curvature_radii_sum(const EllipsoidShape& i, const EllipsoidShape& j,
+                                  const OverlapFunction& f, const TangentFrame& t) {
+  const SymmetricMatrix3 a =
+      (1.0 / f.support_i) * i.a_matrix + (1.0 / f.support_j) * j.a_matrix;
+  const Vector3 a_first = a * t.first, a_second = a * t.second;
+  const double i1 = dot(t.first, f.support_point_i), i2 = dot(t.second, f.support_point_i);
+  const double j1 = dot(t.first, f.support_point_j), j2 = dot(t.second, f.support_point_j);
+  const double w_i = 1.0 / f.support_i, w_j = 1.0 / f.support_j;
+  return {dot(t.first, a_first) - w_i * i1 * i1 - w_j * j1 * j1,
+          dot(t.first, a_second) - w_i * i1 * i2 - w_j * j1 * j2,
+          dot(t.second, a_second) - w_i * i2 * i2 - w_j * j2 * j2};
+}
+
+/// A step in the tangent plane.
+struct TangentStep {
+  double first = 0.0, second = 0.0;
+  double slope = 0.0;          // derivative of phi along the step (length)
+  double predicted_error = 0.; // of the normal after the step, if the step is a Newton step (rad)
+  double displacement = 0.;    // how far the support points move, relative to the smaller body
+  bool newton = false;         // the Hessian was positive definite and the step not shortened
+  double length() const { return std::sqrt(first * first + second * second); }
+};
+
+/// Shift that makes the Hessian safely positive definite, 0 where it already is.
+double convexity_shift(const TangentMatrix& h) {
+  const double mean = 0.5 * h.trace();
+  const double radius = std::sqrt(0.25 * (h.xx - h.yy) * (h.xx - h.yy) + h.xy * h.xy);
+  const double smallest = mean - radius, scale = std::fabs(mean) + radius;
+  if (smallest > tolerance::convexity * scale)
+    return 0.0;
+  return std::fabs(smallest) - smallest + 0.1 * scale;
+}
+
+/// Newton step of phi on the sphere; a shifted (still descending) one where phi is not convex.
+TangentStep newton_step(const OverlapFunction& f, const TangentFrame& t,
+                        const TangentMatrix& radii) {
+  TangentMatrix h{radii.xx - f.value, radii.xy, radii.yy - f.value};
+  const double shift = convexity_shift(h);
+  h.xx += shift;
+  h.yy += shift;
+  const double g1 = dot(t.first, f.gradient), g2 = dot(t.second, f.gradient);
+  const double inverse = 1.0 / h.determinant();
+  TangentStep step;
+  step.first = -inverse * (h.yy * g1 - h.xy * g2);
+  step.second = -inverse * (h.xx * g2 - h.xy * g1);
+  const double length = step.length();
+  step.newton = shift == 0.0 && length <= tolerance::largest_step;
+  if (length > tolerance::largest_step) {
+    step.first *= tolerance::largest_step / length;
+    step.second *= tolerance::largest_step / length;
+  }
+  step.slope = g1 * step.first + g2 * step.second;
+  step.displacement = length * radii.trace() / std::fmin(f.support_i, f.support_j);
+  const double condition = h.trace() * h.trace() * inverse;
+  step.predicted_error = condition * f.radius_change_rate() * length * length;
+  return step;
+}
+
+/// Walks along the step, halving it until phi falls enough. Returns false at a dead end
+/// (then rounding hides any decrease: f is as good as it gets).
+bool line_search(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& centre_distance,
+                 const TangentFrame& t, const TangentStep& step, OverlapFunction& f) {
+  double share = 1.0;
+  for (int halving = 0; halving < tolerance::halving_limit; ++halving, share *= 0.5) {
+    const Vector3 n = normalized(f.normal + (share * step.first) * t.first +
+                                 (share * step.second) * t.second);
+    const OverlapFunction trial(i, j, centre_distance, n);
+    if (trial.value <=
+        f.value + tolerance::sufficient_decrease * share * step.slope + f.noise()) {
+      f = trial;
+      return true;
+    }
+  }
+  return false;
+}
+
+ContactGeometry assemble(const EllipsoidShape& i, const EllipsoidShape& j,
+                         const Vector3& centre_distance, const OverlapFunction& f,
+                         ContactStatus status, int iterations) {
+  ContactGeometry c;
+  c.status = status;
+  c.normal = f.normal;
+  c.overlap = f.value;
+  c.iterations = iterations;
+  c.point = 0.5 * (f.support_point_i + centre_distance - f.support_point_j);
+  // det W = a^2 b^2 c^2 / s^4: the inverse of the Gaussian curvature
+  const double s2_i = f.support_i * f.support_i, s2_j = f.support_j * f.support_j;
+  const double det_i = i.squared_axes_product / (s2_i * s2_i);
+  const double det_j = j.squared_axes_product / (s2_j * s2_j);
+  const double det_sum = curvature_radii_sum(i, j, f, TangentFrame(f.normal)).determinant();
+  // Markauskas et al. 2010, eq. 19: 1 / (2 sqrt(A B)), with 4 A B = det(W_i^-1 + W_j^-1)
+  c.reduced_radius = std::sqrt(det_i * det_j / det_sum);
+  c.curvature_radius_i = std::sqrt(det_i);
+  c.curvature_radius_j = std::sqrt(det_j);
+  return c;
+}
+
+/// Local search from one normal; the result is a minimum of phi, or a proof of separation.
+ContactGeometry descend(const Vector3& start, const EllipsoidShape& i, const EllipsoidShape& j,
+                        const Vector3& centre_distance, const SearchOptions& options) {
+  OverlapFunction f(i, j, centre_distance, start);
+  for (int iteration = 0; iteration < options.newton_limit; ++iteration) {
+    if (options.goal == SearchGoal::contact && f.value < 0.0)
+      return assemble(i, j, centre_distance, f, ContactStatus::separated, iteration);
+    const TangentFrame t(f.normal);
+    const TangentStep step = newton_step(f, t, curvature_radii_sum(i, j, f, t));
+    bool converged = step.newton && step.displacement <= tolerance::negligible_displacement;
+    if (!converged) {
+      converged = step.newton && step.predicted_error <= tolerance::normal_error;
+      const bool moved = line_search(i, j, centre_distance, t, step, f);
+      converged = converged || !moved;
+    }
+    if (converged)
+      return assemble(i, j, centre_distance, f,
+                      f.value < 0.0 ? ContactStatus::separated : ContactStatus::touching,
+                      iteration + 1);
+  }
+  return assemble(i, j, centre_distance, f,
+                  f.value < 0.0 ? ContactStatus::separated : ContactStatus::not_converged,
+                  options.newton_limit);
+}
+
+/// G^-1 d up to a positive factor, G = (1 - lambda) A_i + lambda A_j.
+Vector3 solve_direction(const SymmetricMatrix3& g, const Vector3& d) {
+  const SymmetricMatrix3 adjugate{g.yy * g.zz - g.yz * g.yz, g.xx * g.zz - g.xz * g.xz,
+                                  g.xx * g.yy - g.xy * g.xy, g.xz * g.yz - g.xy * g.zz,
+                                  g.xy * g.yz - g.xz * g.yy, g.xy * g.xz - g.yz * g.xx};
+  return adjugate * d;
+}
+
+/// Normal at which both bodies, scaled about their centres by one common factor, just touch
+/// (Perram and Wertheim 1985, J. Comput. Phys. 58, 409): the maximum over lambda of
+/// lambda (1 - lambda) d^T G^-1 d, which is concave. Its derivative has the sign of
+/// (1 - lambda) s_i - lambda s_j at n ~ G^-1 d. The sign of phi at that normal tells whether
+/// the bodies touch at all, whatever their shapes.
+Vector3 first_normal(const EllipsoidShape& i, const EllipsoidShape& j,
+                     const Vector3& centre_distance) {
+  const double length = norm(centre_distance);
+  if (!(length > 0.0))
+    return {1.0, 0.0, 0.0};
+  const Vector3 d = (1.0 / length) * centre_distance;
+  double low = 0.0, high = 1.0, lambda = 0.5;
+  Vector3 n = d;
+  for (int k = 0; k < tolerance::bracket_limit && high - low > tolerance::bracket_width; ++k) {
+    const Vector3 y = solve_direction((1.0 - lambda) * i.a_matrix + lambda * j.a_matrix, d);
+    n = normalized(y);
+    const double s_i = support(i, n), s_j = support(j, n);
+    if (s_i + s_j < dot(n, centre_distance))
+      return n;
+    ((1.0 - lambda) * s_i > lambda * s_j ? low : high) = lambda;
+    const double fixed_point = s_i / (s_i + s_j);
+    if (std::fabs(fixed_point - lambda) <= tolerance::bracket_width)
+      return n;
+    const bool inside = fixed_point > low && fixed_point < high;
+    lambda = inside && k % 3 != 2 ? fixed_point : 0.5 * (low + high);
+  }
+  return n;
+}
+
+constexpr int sample_count = 64, best_count = 8;
+
+/// Unit vectors spread evenly over the sphere (golden-angle spiral).
+std::array<Vector3, sample_count> spiral_directions() {
+  std::array<Vector3, sample_count> directions;
+  const double golden_angle = M_PI * (3.0 - std::sqrt(5.0));
+  for (int k = 0; k < sample_count; ++k) {
+    const double z = 1.0 - (2.0 * k + 1.0) / sample_count, r = std::sqrt(1.0 - z * z);
+    directions[static_cast<std::size_t>(k)] = {r * std::cos(k * golden_angle),
+                                               r * std::sin(k * golden_angle), z};
+  }
+  return directions;
+}
+
+/// A minimum of phi not deeper than the smallest radius of curvature of the Minkowski sum is the
+/// only one below that depth: a ball of that radius rolls freely inside the sum (Blaschke).
+bool is_certainly_global(const ContactGeometry& c, const EllipsoidShape& i,
+                         const EllipsoidShape& j) {
+  return c.overlap <= i.smallest_curvature_radius + j.smallest_curvature_radius;
+}
+
+/// Deep overlap of slender bodies, where phi may have several minima: descends from the best of
+/// many normals and keeps the lowest result.
+ContactGeometry search_deep(ContactGeometry best, const EllipsoidShape& i, const EllipsoidShape& j,
+                            const Vector3& centre_distance, const SearchOptions& options) {
+  static const std::array<Vector3, sample_count> directions = spiral_directions();
+  std::array<std::pair<double, int>, sample_count> ranking;
+  for (int k = 0; k < sample_count; ++k) {
+    const auto index = static_cast<std::size_t>(k);
+    ranking[index] = {overlap_along(i, j, centre_distance, directions[index]), k};
+  }
+  std::partial_sort(ranking.begin(), ranking.begin() + best_count, ranking.end());
+  for (int k = 0; k < best_count; ++k) {
+    const int direction = ranking[static_cast<std::size_t>(k)].second;
+    const ContactGeometry c = descend(directions[static_cast<std::size_t>(direction)], i, j,
+                                      centre_distance, options);
+    if (c.status == ContactStatus::separated)
+      return c;
+    if (c.status == ContactStatus::touching &&
+        (best.status != ContactStatus::touching || c.overlap < best.overlap))
+      best = c;
+  }
+  return best;
+}
+
+ContactGeometry certify(const ContactGeometry& c, const EllipsoidShape& i, const EllipsoidShape& j,
+                        const Vector3& centre_distance, const SearchOptions& options) {
+  const bool settled = c.status == ContactStatus::separated ||
+                       (c.status == ContactStatus::touching && is_certainly_global(c, i, j));
+  return settled ? c : search_deep(c, i, j, centre_distance, options);
+}
+
+} // namespace
+
+EllipsoidShape make_shape(const Vector3& semiaxes, const Quaternion& orientation) {
+  const double aa = semiaxes.x * semiaxes.x, bb = semiaxes.y * semiaxes.y,
+               cc = semiaxes.z * semiaxes.z;
+  EllipsoidShape shape;
+  shape.a_matrix = rotated_diagonal(rotation(orientation), aa, bb, cc);
+  shape.squared_axes_product = aa * bb * cc;
+  shape.smallest_curvature_radius =
+      std::min({aa, bb, cc}) / std::max({semiaxes.x, semiaxes.y, semiaxes.z});
+  return shape;
+}
+
+ContactGeometry find_contact(const EllipsoidShape& i, const EllipsoidShape& j,
+                             const Vector3& centre_distance, const SearchOptions& options) {
+  return find_contact_from(first_normal(i, j, centre_distance), i, j, centre_distance, options);
+}
+
+ContactGeometry find_contact_from(const Vector3& normal_guess, const EllipsoidShape& i,
+                                  const EllipsoidShape& j, const Vector3& centre_distance,
+                                  const SearchOptions& options) {
+  return certify(descend(normal_guess, i, j, centre_distance, options), i, j, centre_distance,
+                 options);
+}
+
+ContactGeometry find_plane_contact(const EllipsoidShape& i, const Vector3& plane_point,
+                                   const Vector3& plane_normal) {
+  const Vector3 a_n = i.a_matrix * plane_normal;
+  const double s = std::sqrt(dot(plane_normal, a_n));
+  ContactGeometry c;
+  c.normal = plane_normal;
+  c.overlap = s - dot(plane_normal, plane_point);
+  c.status = c.overlap < 0.0 ? ContactStatus::separated : ContactStatus::touching;
+  c.point = (1.0 / s) * a_n - (0.5 * c.overlap) * plane_normal;
+  c.curvature_radius_i = std::sqrt(i.squared_axes_product) / (s * s);
+  c.curvature_radius_j = std::numeric_limits<double>::infinity();
+  c.reduced_radius = c.curvature_radius_i; // (19) with a flat partner
+  return c;
+}
+
+} // namespace ellipsoid
