@@ -10,9 +10,6 @@
 namespace ellipsoid {
 namespace {
 
-/// Spheres that touch to within this share of their radii do not count as overlapping.
-constexpr double touching_tolerance = 1e-9;
-
 [[noreturn]] void refuse(const std::string& what) {
   throw std::invalid_argument("multisphere template: " + what);
 }
@@ -60,11 +57,7 @@ HalfChain half_chain(double a, double b, int n, SphereSpacing spacing) {
 bool is_admissible(const HalfChain& half, SphereSpacing spacing) {
   if (half.centres.size() == 2 && spacing == SphereSpacing::paper)
     return half.radii[1] <= half.radii[0];
-  for (std::size_t k = 1; k < half.centres.size(); ++k)
-    if (half.centres[k] - half.centres[k - 1] >=
-        (1.0 - touching_tolerance) * (half.radii[k - 1] + half.radii[k]))
-      return false;
-  return true;
+  return neighbours_overlap(half);
 }
 
 const char* name_of(ShapeMeasure what) {
