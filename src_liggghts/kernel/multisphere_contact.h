@@ -84,8 +84,7 @@ struct SphereContact {
 
 struct ContactCount {
   int contacts = 0;
-  int tested =
-      0; ///< distances of spheres computed in search of contacts: potential contacts (figure 18)
+  int tested = 0; ///< distances between spheres computed: potential contacts (figure 18)
 };
 
 /// Tests one pair of spheres.
@@ -133,8 +132,8 @@ struct Interval {
 /// Outer body seen from the inner one's centre and axis.
 struct OuterLine {
   double offset = 0.0, slope = 0.0; ///< axial coordinate t(x) = offset + slope x
-  double squared = 0.0, linear = 0.0,
-         quadratic = 0.0;     ///< p(x)^2 = squared + 2 linear x + quad. x^2
+  /// Squared distance from the axis p(x)^2 = squared + 2 linear x + quadratic x^2.
+  double squared = 0.0, linear = 0.0, quadratic = 0.0;
   double extent = 0.0;        ///< of the pair: scale of rounding (length)
   Interval centres{0.0, 0.0}; ///< abscissae of outer spheres that may touch (length)
 };

@@ -115,8 +115,8 @@ std::optional<std::vector<double>> reach_tip(const EqualRipple& chain, int n) {
 
 bool neighbours_overlap(const HalfChain& half) {
   for (std::size_t k = 1; k < half.centres.size(); ++k)
-    if (half.centres[k] - half.centres[k - 1] >=
-        (1.0 - touching_tolerance) * (half.radii[k - 1] + half.radii[k]))
+    if (!(half.centres[k] - half.centres[k - 1] <
+          (1.0 - touching_tolerance) * (half.radii[k - 1] + half.radii[k])))
       return false;
   return true;
 }

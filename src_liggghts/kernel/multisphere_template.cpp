@@ -3,6 +3,7 @@
 
 #include "multisphere_spacing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -24,6 +25,9 @@ void check_semiaxes(double a, double b) {
   if (!std::isfinite(a) || !std::isfinite(b) || !(b > 0.0) || !(a > b))
     refuse("semi-axes a = " + number(a) + ", b = " + number(b) +
            "; finite values with a > b > 0 are needed: give the long semi-axis first");
+  if (!(a / b >= smallest_aspect_ratio && a / b <= largest_aspect_ratio))
+    refuse("aspect ratio a/b = 1 + " + number(a / b - 1.0) + "; it may be from 1 + 1e-06 to " +
+           number(largest_aspect_ratio) + ": change a or b, or use a sphere");
 }
 
 void check_count(int count) {
@@ -100,10 +104,23 @@ std::string word_of(SphereSpacing spacing) {
 
 int smallest_overlapping_count(double aspect_ratio, SphereSpacing spacing) {
   check_semiaxes(aspect_ratio, 1.0);
-  for (int n = spacing == SphereSpacing::paper ? 2 : 1; 2 * n + 1 <= largest_sphere_count; ++n)
-    if (is_admissible(half_chain(aspect_ratio, 1.0, n, spacing), spacing))
-      return 2 * n + 1;
-  return 0;
+  const auto overlaps = [&](int n) {
+    return is_admissible(half_chain(aspect_ratio, 1.0, n, spacing), spacing);
+  };
+  // More spheres lie closer together: the first n that works is found by doubling and bisection.
+  const int largest = (largest_sphere_count - 1) / 2;
+  int low = spacing == SphereSpacing::paper ? 2 : 1, high = low;
+  while (!overlaps(high)) {
+    if (high == largest)
+      return 0;
+    low = high;
+    high = std::min(2 * high, largest);
+  }
+  while (high - low > 1) {
+    const int middle = (low + high) / 2;
+    (overlaps(middle) ? high : low) = middle;
+  }
+  return 2 * high + 1;
 }
 
 MultisphereTemplate make_multisphere(double a, double b, int count, SphereSpacing spacing) {

@@ -295,7 +295,9 @@ TEST(MultisphereTemplate, SmallestCountsOfFigure4) {
   EXPECT_EQ(error_of(5.0, 1.0, 11), "");
   EXPECT_EQ(error_of(3.0, 1.0, 3), "");
   EXPECT_NE(error_of(3.01, 1.0, 3).find("larger than the centre sphere"), std::string::npos);
-  EXPECT_NE(error_of(1000.0, 1.0, 5).find("no N up to 999"), std::string::npos);
+  for (int count = 5; count < 243; count += 2) // the bisection misses no smaller one
+    EXPECT_NE(error_of(100.0, 1.0, count).find("is 243"), std::string::npos);
+  EXPECT_EQ(error_of(100.0, 1.0, 243), "");
 }
 
 TEST(MultisphereTemplate, CountFromTolerance) {
@@ -425,6 +427,9 @@ TEST(MultisphereTemplate, RefusesBadInput) {
   for (const auto& shape : bad)
     for (const int count : {1, 3, 5})
       EXPECT_NE(error_of(shape[0], shape[1], count).find("a > b > 0"), std::string::npos);
+  for (const double a : {1.0 + 1e-12, 1.0000009, 100.1, 1e160, 1e300})
+    EXPECT_NE(error_of(a, 1.0, 5).find("to 100:"), std::string::npos);
+  EXPECT_NE(error_of(1e300, 1e-300, 5).find("to 100:"), std::string::npos);
   EXPECT_EQ(error_of(2.7, 1.15, 4).find('\n'), std::string::npos);
 }
 
