@@ -1,0 +1,68 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Options and the loop that all commands on dumps share: which files, which frames, which output.
+#pragma once
+
+#include "command.h"
+#include "particles.h"
+#include "pile.h"
+#include "table.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ellipsoid::post {
+
+/// Files, frames and output of a command.
+struct FrameOptions {
+  std::vector<std::string> runs; ///< each a file, a quoted pattern: one run
+  bool one_run = false;          ///< all files together are one run
+  std::string frames = "last";   ///< "last", "first", "all", or a time step
+  ParticleOptions particles;
+  std::string spacing_word = "paper";
+  std::string csv, json; ///< paths; empty: not wanted
+  bool quiet = false;    ///< no table for people
+};
+
+void add_frame_options(CLI::App& command, FrameOptions& options);
+/// Only --csv, --json and --quiet.
+void add_output_options(CLI::App& command, FrameOptions& options);
+
+/// The options of an in-plane pile: wall, floor, cut, outlines.
+struct PlaneOptions {
+  PileOptions pile;
+  double wall = 0.0;
+  bool no_wall = false;
+  std::string outline = "true";
+};
+void add_plane_options(CLI::App& command, PlaneOptions& options);
+/// What the words say as values.
+PileOptions plane_settings(const PlaneOptions& options);
+
+/// A chosen frame of a run and its particles.
+struct ChosenFrame {
+  std::string run; ///< as given by the user
+  const Frame& frame;
+  const ParticleSet& set;
+};
+
+/// Calls `visit` for the chosen frames of all runs. A broken input is reported on standard error
+/// after the whole frames before it have been visited; so is an InputError of `visit`.
+/// @return exit code
+int for_chosen_frames(const FrameOptions& options,
+                      const std::function<void(const ChosenFrame&)>& visit);
+
+/// Columns that every row of a table on frames begins with: run and time step.
+Row frame_row(const ChosenFrame& chosen);
+
+/// Writes a table as the options ask: text on standard output, CSV, JSON.
+void write_table(const FrameOptions& options, const Table& table);
+
+/// Whether tables for people go to standard output.
+bool prints_text(const FrameOptions& options);
+
+/// Prints "error: ..." on standard error.
+void report_error(const std::string& message);
+
+} // namespace ellipsoid::post

@@ -1,0 +1,15 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#pragma once
+
+#include "frame_options.h"
+#include "pile_picture.h"
+
+namespace ellipsoid::post {
+
+/// Writes the picture of one frame; `path` may hold an asterisk, which becomes the time step.
+/// Throws InputError.
+void write_pile_picture(const std::string& path, const ChosenFrame& chosen, const Pile& pile,
+                        const PileOptions& pile_options, const std::optional<ReposeAngle>& angle,
+                        const PilePictureOptions& options);
+
+} // namespace ellipsoid::post

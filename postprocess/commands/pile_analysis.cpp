@@ -1,0 +1,95 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "pile_analysis.h"
+
+namespace ellipsoid::post {
+
+const char* const pile_definition =
+    "Pile: all particles connected with the wall through particles whose semi-axes, enlarged by "
+    "half of --cluster-gap each, touch; the largest such cluster if several touch the wall. "
+    "Particles that rolled away do not belong to it (they are counted as strays).\n"
+    "Free surface: y_max(x), the largest ordinate of the true outlines (ellipses, or sub-sphere "
+    "discs) at x, computed exactly as a chain of arcs; the floor where there is no particle.";
+
+const char* const repose_definition =
+    "Angle of repose (paper, section 4.2.1): atan(-slope) of the least squares line "
+    "y = p + slope x through y_max(x), in columns 0.05 b apart (--columns), from A to B. "
+    "With H the summit's height, B is the outermost column with y_max >= cut_bottom H and A the "
+    "outermost one with y_max >= (1 - cut_top) H; both cuts are 0.2: the tails at top and bottom "
+    "are about four particles long in the paper's pile, 0.2 H keeps clear of them and leaves 60 % "
+    "of the slope.\n"
+    "Standard error: s / sqrt(S_xx) sqrt(n / m) / (1 + slope^2), s^2 = sum of squared residuals / "
+    "(n - 2), n columns, m = length of A-B over 2a: columns on one particle are not independent.";
+
+const char* const porosity_definition =
+    "Porosity (paper, section 4.2.2): 1 - solid / total. total: area between floor, wall and "
+    "y_max(x), in closed form arc by arc. solid: area of the union of the section outlines, "
+    "each point counted once (overlaps, lenses of about 1e-5 of the area, are subtracted), exact "
+    "by Green's theorem. 'by sum' adds the areas pi a b (2) or of the cut-off spheres (9) one by "
+    "one as the paper does. --outline ellipse gives 'MS ellipse' of the paper.\n"
+    "Regions: whole (the pile's whole extent), middle (between the abscissas of A and B), core (at "
+    "least --margin away from wall, floor and the line A-B, without the free surface itself).";
+
+const char* const coordination_definition =
+    "Coordination numbers (paper, section 4.2.3): Zpp = 2 Ncp / K with Ncp touching pairs among "
+    "the K particles of the pile, Zss = 2 Ncs / K with Ncs touching pairs of sub-spheres of "
+    "different particles. Touching: overlap h >= 0 of the engine's own contact kernel (or "
+    "h >= -gap with --contact-gap). --with-walls adds 1 for each wall that a particle touches. "
+    "Rattlers: particles with fewer than 2 contacts, walls included.";
+
+void add_porosity_options(CLI::App& command, PileCommandOptions& options) {
+  command.add_option("--region", options.region, "whole, middle or core")
+      ->check(CLI::IsMember({"whole", "middle", "core"}))
+      ->capture_default_str();
+  command.add_option("--margin", options.margin, "of the core, in mean largest semi-axes a")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+}
+
+void add_coordination_options(CLI::App& command, PileCommandOptions& options) {
+  command.add_flag("--with-walls", options.with_walls, "count contacts with wall and floor");
+  command
+      .add_option("--contact-gap", options.contact_gap,
+                  "particles this close (in b) count as touching")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+}
+
+void add_rest_options(CLI::App& command, PileCommandOptions& options) {
+  command
+      .add_option("--gravity", options.gravity,
+                  "for the rest check: every point slower than 0.01 sqrt(g b)")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
+PorosityOptions porosity_settings(const PileCommandOptions& options) {
+  PorosityOptions result;
+  result.margin = options.margin;
+  if (options.region == "middle")
+    result.region = PorosityRegion::middle;
+  else if (options.region == "core")
+    result.region = PorosityRegion::core;
+  return result;
+}
+
+CoordinationOptions coordination_settings(const PileCommandOptions& options,
+                                          const PileOptions& pile, double mean_b) {
+  CoordinationOptions result;
+  result.count_walls = options.with_walls;
+  result.walls = walls_of(pile);
+  result.gap = options.contact_gap * mean_b;
+  return result;
+}
+
+std::optional<ReposeAngle> try_repose(const Pile& pile, const PileOptions& options,
+                                      std::string* why) {
+  try {
+    return repose_angle(pile, options, Flank::right);
+  } catch (const InputError& error) {
+    if (why)
+      *why = error.what();
+    return std::nullopt;
+  }
+}
+
+} // namespace ellipsoid::post

@@ -1,0 +1,38 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#pragma once
+
+#include "frame_options.h"
+#include "pile_rows.h"
+
+namespace ellipsoid::post {
+
+/// Options of the commands on in-plane piles; each command adds the groups it uses.
+struct PileCommandOptions {
+  FrameOptions frames;
+  PlaneOptions plane;
+  std::string region = "whole";
+  double margin = 2.0; ///< of the core, in a
+  bool with_walls = false;
+  double contact_gap = 0.0; ///< in b
+  double gravity = 9.81;    ///< m/s2
+};
+
+void add_porosity_options(CLI::App& command, PileCommandOptions& options);
+void add_coordination_options(CLI::App& command, PileCommandOptions& options);
+void add_rest_options(CLI::App& command, PileCommandOptions& options);
+
+PorosityOptions porosity_settings(const PileCommandOptions& options);
+CoordinationOptions coordination_settings(const PileCommandOptions& options,
+                                          const PileOptions& pile, double mean_b);
+
+/// The fitted right flank, or nothing where the surface is too short (the reason to `why`).
+std::optional<ReposeAngle> try_repose(const Pile& pile, const PileOptions& options,
+                                      std::string* why = nullptr);
+
+// What the commands say about their definitions in --help.
+extern const char* const repose_definition;
+extern const char* const porosity_definition;
+extern const char* const coordination_definition;
+extern const char* const pile_definition;
+
+} // namespace ellipsoid::post

@@ -1,0 +1,44 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "pile_commands.h"
+
+#include "pile_rows.h"
+#include "statistics.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <set>
+
+namespace ellipsoid::post {
+namespace {
+
+/// Quantities of the summary below a table of several runs.
+const std::vector<std::string> summarised = {"repose_angle_deg", "porosity", "zpp", "zss"};
+
+} // namespace
+
+int run_pile_command(const FrameOptions& options, const std::string& title,
+                     const std::function<Row(const ChosenFrame&)>& make_row) {
+  Table table{title, {}};
+  int code = for_chosen_frames(
+      options, [&](const ChosenFrame& chosen) { table.rows.push_back(make_row(chosen)); });
+  try {
+    write_table(options, table);
+    if (prints_text(options) && table.rows.size() > 1 && options.frames != "all")
+      write_text("-", "\n" + summary_text(table, {"surface", "subspheres"}, summarised));
+  } catch (const InputError& error) {
+    report_error(error.what());
+    code = exit_bad_data;
+  }
+  return code;
+}
+
+void warn_of_digits(const ChosenFrame& chosen) {
+  static std::set<std::string> warned_files; // once per file is enough
+  const std::string warning = digits_warning(chosen.frame, chosen.set);
+  if (!warning.empty() && warned_files.insert(chosen.frame.place.file).second)
+    report_warning(warning);
+}
+
+void report_warning(const std::string& message) { fmt::print(stderr, "warning: {}\n", message); }
+
+} // namespace ellipsoid::post

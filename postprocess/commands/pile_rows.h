@@ -1,0 +1,30 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Measures of a pile as quantities of a table, shared by the commands on piles.
+#pragma once
+
+#include "coordination.h"
+#include "porosity.h"
+#include "repose.h"
+#include "rest.h"
+#include "table.h"
+
+namespace ellipsoid::post {
+
+/// "smooth", "multisphere" or "mixed", and the number of sub-spheres: the groups of summaries.
+void append_surface(Row& row, const ParticleSet& set);
+void append_pile(Row& row, const ParticleSet& set, const Pile& pile, const PileOptions& options);
+void append_repose(Row& row, const ReposeAngle& angle, const std::string& side = "");
+void append_porosity(Row& row, const Porosity& porosity);
+void append_coordination(Row& row, const Coordination& z, double mean_b);
+void append_distribution(Row& row, const Coordination& z);
+void append_rest(Row& row, const RestCheck& rest);
+
+/// Wall and floor as planes.
+std::vector<PlaneWall> walls_of(const PileOptions& options);
+
+/// A warning when the file's digits are too few for the contacts (the host's default format %g
+/// keeps six), or an empty string.
+std::string digits_warning(const Frame& frame, const ParticleSet& set);
+
+} // namespace ellipsoid::post

@@ -1,0 +1,72 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "csv_table.h"
+#include "figures.h"
+#include "frame_options.h"
+#include "input_error.h"
+
+#include <fmt/format.h>
+#include <memory>
+
+namespace ellipsoid::post {
+namespace {
+
+struct PlotOptions {
+  int number = 0;
+  std::vector<std::string> files;
+  std::string output;
+  double aspect_ratio = 2.7 / 1.15;
+  int width = 0, height = 700;
+};
+
+void plot(const PlotOptions& options) {
+  Table runs;
+  for (const std::string& file : options.files) {
+    const Table table = read_csv(file);
+    runs.rows.insert(runs.rows.end(), table.rows.begin(), table.rows.end());
+  }
+  const auto charts = figure(options.number, runs, options.aspect_ratio);
+  constexpr int panel_width = 900; // pixels
+  const int width =
+      options.width > 0 ? options.width : panel_width * static_cast<int>(charts.size());
+  write_text(options.output,
+             draw_charts(picture_format(options.output), charts, width, options.height));
+  fmt::print(stderr, "picture: {}\n", options.output);
+}
+
+} // namespace
+
+void add_plot_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<PlotOptions>();
+  CLI::App* command = program.add_subcommand(
+      "plot", "figures 5, 12, 13, 15, 17 and 18 of the paper with its points beside ours");
+  command->footer(
+      "Figure 5 needs no files. 12, 13 and 15 take CSV files of `pile --csv` (with "
+      "--outline ellipse as well for 'MS ellipse'); 17 and 18 take CSV files with "
+      "the columns subspheres (empty: smooth, with surface = smooth) and "
+      "relative_cpu_time or potential_contacts_per_particle. Error bars and bands: "
+      "half range over runs. Open squares and dashed bands: values of the paper's text.");
+  command->add_option("figure", options->number, "5, 12, 13, 15, 17 or 18")
+      ->required()
+      ->check(CLI::IsMember(known_figures));
+  command->add_option("files", options->files, "CSV files");
+  command->add_option("--output,-o", options->output, "file name, ends in .svg or .png")
+      ->required();
+  command->add_option("--aspect", options->aspect_ratio, "a/b of the particles (figure 15)")
+      ->check(CLI::Range(1.0001, 1000.0))
+      ->capture_default_str();
+  command->add_option("--width", options->width, "pixels (default: 900 a panel)")
+      ->check(CLI::Range(200, 20000));
+  command->add_option("--height", options->height, "pixels")
+      ->check(CLI::Range(200, 20000))
+      ->capture_default_str();
+  command->callback([options, &exit_code] {
+    try {
+      plot(*options);
+    } catch (const InputError& error) {
+      report_error(error.what());
+      exit_code = exit_bad_data;
+    }
+  });
+}
+
+} // namespace ellipsoid::post

@@ -1,0 +1,35 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "pile_analysis.h"
+#include "pile_commands.h"
+
+#include <memory>
+
+namespace ellipsoid::post {
+namespace {
+
+Row porosity_row(const PileCommandOptions& options, const ChosenFrame& chosen) {
+  const PileOptions settings = plane_settings(options.plane);
+  const Pile pile = find_pile(chosen.set, settings);
+  Row row = frame_row(chosen);
+  append_pile(row, chosen.set, pile, settings);
+  append_porosity(
+      row, plane_porosity(pile, settings, porosity_settings(options), try_repose(pile, settings)));
+  return row;
+}
+
+} // namespace
+
+void add_porosity_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<PileCommandOptions>();
+  CLI::App* command = program.add_subcommand("porosity", "porosity of an in-plane pile");
+  command->footer(std::string(pile_definition) + "\n" + porosity_definition);
+  add_frame_options(*command, options->frames);
+  add_plane_options(*command, options->plane);
+  add_porosity_options(*command, *options);
+  command->callback([options, &exit_code] {
+    exit_code = run_pile_command(options->frames, "Porosity",
+                                 [&](const ChosenFrame& f) { return porosity_row(*options, f); });
+  });
+}
+
+} // namespace ellipsoid::post

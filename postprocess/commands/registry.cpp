@@ -1,0 +1,26 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// To add a command: one file commands/NAME_command.cpp with add_NAME_command, its row here, its
+// page doc/NAME.md and its test in tests/cli.
+#include "command.h"
+
+namespace ellipsoid::post {
+
+void add_pile_command(CLI::App&, int&);
+void add_repose_command(CLI::App&, int&);
+void add_porosity_command(CLI::App&, int&);
+void add_coordination_command(CLI::App&, int&);
+void add_summary_command(CLI::App&, int&);
+void add_render_command(CLI::App&, int&);
+void add_template_command(CLI::App&, int&);
+void add_plot_command(CLI::App&, int&);
+
+const CommandRow command_rows[] = {
+    {"pile", add_pile_command},         {"repose", add_repose_command},
+    {"porosity", add_porosity_command}, {"coordination", add_coordination_command},
+    {"summary", add_summary_command},   {"render", add_render_command},
+    {"template", add_template_command}, {"plot", add_plot_command},
+};
+const unsigned command_count = sizeof(command_rows) / sizeof(command_rows[0]);
+
+} // namespace ellipsoid::post

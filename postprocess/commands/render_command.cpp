@@ -1,0 +1,79 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "picture_options.h"
+#include "pile_analysis.h"
+
+#include <fmt/format.h>
+#include <memory>
+
+namespace ellipsoid::post {
+namespace {
+
+struct RenderOptions {
+  FrameOptions frames;
+  PlaneOptions plane;
+  PilePictureOptions picture;
+  std::vector<double> view, colour_range;
+  std::string output;
+  bool no_fit = false;
+};
+
+void render(const RenderOptions& options, const ChosenFrame& chosen) {
+  const PileOptions settings = plane_settings(options.plane);
+  const Pile pile = find_pile(chosen.set, settings);
+  PilePictureOptions picture = options.picture;
+  picture.show_fit = !options.no_fit;
+  if (options.view.size() == 4)
+    picture.view = PileView{options.view[0], options.view[1], options.view[2], options.view[3]};
+  if (options.colour_range.size() == 2) {
+    picture.colour_low = options.colour_range[0];
+    picture.colour_high = options.colour_range[1];
+  }
+  write_pile_picture(options.output, chosen, pile, settings, try_repose(pile, settings), picture);
+}
+
+} // namespace
+
+void write_pile_picture(const std::string& path, const ChosenFrame& chosen, const Pile& pile,
+                        const PileOptions& pile_options, const std::optional<ReposeAngle>& angle,
+                        const PilePictureOptions& options) {
+  std::string name = path;
+  if (const auto star = name.find('*'); star != std::string::npos)
+    name.replace(star, 1, fmt::format("{}", chosen.frame.timestep));
+  PilePictureOptions titled = options;
+  if (titled.title.empty())
+    titled.title = fmt::format("{} particles, time step {}", chosen.set.particles.size(),
+                               chosen.frame.timestep);
+  write_text(name, draw_pile(picture_format(name), chosen.frame, chosen.set, pile, pile_options,
+                             angle, titled));
+  fmt::print(stderr, "picture: {}\n", name);
+}
+
+void add_render_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = program.add_subcommand("render", "picture of an in-plane pile, SVG or PNG");
+  command->footer("Outlines of ellipses or sub-spheres, wall and floor, the fitted line A-B with "
+                  "the angle of repose (see repose --help), a scale bar. A film: --frame all "
+                  "--output 'film_*.png' (the asterisk becomes the time step).");
+  add_frame_options(*command, options->frames);
+  add_plane_options(*command, options->plane);
+  command->add_option("--output,-o", options->output, "file name, ends in .svg or .png")
+      ->required();
+  command->add_option("--width", options->picture.width, "pixels; the height follows")
+      ->check(CLI::Range(100, 20000))
+      ->capture_default_str();
+  command->add_option("--colour,--color", options->picture.colour_by,
+                      "colour by a column of the file, or by angle (of the long axis) or speed");
+  command->add_option("--colour-range", options->colour_range, "ends of the colour scale")
+      ->expected(2);
+  command->add_option("--view", options->view, "x0 x1 y0 y1: shows this part only")->expected(4);
+  command->add_option("--title", options->picture.title, "words above the picture");
+  command->add_flag("--no-fit", options->no_fit, "without the line A-B");
+  command->add_flag("--surface", options->picture.show_surface, "draw the free surface y_max(x)");
+  command->add_flag("--discs", options->picture.show_discs, "draw inner outlines of sub-spheres");
+  command->callback([options, &exit_code] {
+    exit_code =
+        for_chosen_frames(options->frames, [&](const ChosenFrame& f) { render(*options, f); });
+  });
+}
+
+} // namespace ellipsoid::post

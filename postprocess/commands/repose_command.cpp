@@ -1,0 +1,39 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "pile_analysis.h"
+#include "pile_commands.h"
+
+#include <memory>
+
+namespace ellipsoid::post {
+namespace {
+
+Row repose_row(const PileCommandOptions& options, const ChosenFrame& chosen) {
+  const PileOptions settings = plane_settings(options.plane);
+  const Pile pile = find_pile(chosen.set, settings);
+  Row row = frame_row(chosen);
+  append_pile(row, chosen.set, pile, settings);
+  if (settings.wall) {
+    append_repose(row, repose_angle(pile, settings, Flank::right));
+  } else {
+    append_repose(row, repose_angle(pile, settings, Flank::left), "left");
+    append_repose(row, repose_angle(pile, settings, Flank::right), "right");
+  }
+  return row;
+}
+
+} // namespace
+
+void add_repose_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<PileCommandOptions>();
+  CLI::App* command =
+      program.add_subcommand("repose", "angle of repose of an in-plane pile beside a wall");
+  command->footer(std::string(pile_definition) + "\n" + repose_definition);
+  add_frame_options(*command, options->frames);
+  add_plane_options(*command, options->plane);
+  command->callback([options, &exit_code] {
+    exit_code = run_pile_command(options->frames, "Angle of repose",
+                                 [&](const ChosenFrame& f) { return repose_row(*options, f); });
+  });
+}
+
+} // namespace ellipsoid::post

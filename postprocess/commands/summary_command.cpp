@@ -1,0 +1,63 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "csv_table.h"
+#include "frame_options.h"
+#include "input_error.h"
+#include "statistics.h"
+
+#include <memory>
+
+namespace ellipsoid::post {
+namespace {
+
+struct SummaryOptions {
+  FrameOptions output; ///< only csv, json and quiet are used
+  std::vector<std::string> files;
+  std::vector<std::string> groups = {"surface", "subspheres"};
+  std::vector<std::string> quantities = {"repose_angle_deg", "porosity", "zpp", "zss"};
+};
+
+int summarise(const SummaryOptions& options) {
+  Table runs;
+  for (const std::string& file : options.files) {
+    const Table table = read_csv(file);
+    runs.rows.insert(runs.rows.end(), table.rows.begin(), table.rows.end());
+  }
+  const Table summary = summary_of(runs, options.groups, options.quantities);
+  if (summary.rows.empty())
+    throw InputError("the CSV files have no rows");
+  if (prints_text(options.output))
+    write_text("-", summary_text(runs, options.groups, options.quantities));
+  FrameOptions files = options.output;
+  files.quiet = true;
+  write_table(files, summary);
+  return exit_good;
+}
+
+} // namespace
+
+void add_summary_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<SummaryOptions>();
+  CLI::App* command = program.add_subcommand(
+      "summary", "mean and margins over runs, from CSV files that `pile --csv` wrote");
+  command->footer("Margin: half range (max - min) / 2, as the paper gives uncertainty margins; the "
+                  "standard deviation is that of one run (n - 1). Rows with equal values of the "
+                  "--group columns form a group.");
+  command->add_option("files", options->files, "CSV files, one row per run")->required();
+  command->add_option("--group", options->groups, "columns that tell the groups apart")
+      ->delimiter(',')
+      ->capture_default_str();
+  command->add_option("--quantity", options->quantities, "columns to average")
+      ->delimiter(',')
+      ->capture_default_str();
+  add_output_options(*command, options->output);
+  command->callback([options, &exit_code] {
+    try {
+      exit_code = summarise(*options);
+    } catch (const InputError& error) {
+      report_error(error.what());
+      exit_code = exit_bad_data;
+    }
+  });
+}
+
+} // namespace ellipsoid::post

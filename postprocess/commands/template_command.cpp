@@ -1,0 +1,131 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "frame_options.h"
+#include "input_error.h"
+#include "template_files.h"
+
+#include <fmt/format.h>
+#include <memory>
+
+namespace ellipsoid::post {
+namespace {
+
+struct TemplateOptions {
+  FrameOptions output;
+  double b = 1.15e-3;
+  std::vector<double> aspect_ratios = {2.7 / 1.15};
+  std::vector<int> counts = {3, 5, 7, 9, 11, 13, 15, 17};
+  std::string spacing_word = "paper";
+  double tolerance = 0.0;
+  std::string multisphere, molecule, spheres, mesh, stl;
+};
+
+Row template_row(const MultisphereTemplate& chain, double aspect_ratio) {
+  const MultisphereMeasures m = measure(chain);
+  return {{"aspect_ratio", "a/b", "", aspect_ratio},
+          {"subspheres", "N", "", static_cast<std::int64_t>(chain.count())},
+          {"spacing", "spacing", "", word_of(chain.spacing)},
+          {"area_m2", "area", "m2", m.area},
+          {"volume_m3", "volume", "m3", m.volume},
+          {"perimeter_m", "perimeter", "m", m.perimeter},
+          {"area_ratio", "area ratio", "", m.area_ratio},
+          {"volume_ratio", "volume ratio", "", m.volume_ratio},
+          {"perimeter_ratio", "perimeter ratio", "", m.perimeter_ratio},
+          {"area_shape_factor", "sf_A (26)", "", m.area_shape_factor},
+          {"perimeter_shape_factor", "sf_P (27)", "", m.perimeter_shape_factor},
+          {"outline_deviation_b", "outline deviation", "b", m.outline_deviation / chain.b}};
+}
+
+/// The templates that the options ask for. One that cannot be built (too few spheres for the
+/// aspect ratio) is left out with a warning; if none is left, this is an error.
+Table geometry_table(const TemplateOptions& options, SphereSpacing spacing) {
+  Table table{"Multi-sphere templates", {}};
+  for (const double s : options.aspect_ratios)
+    for (const int count : options.counts) {
+      try {
+        table.rows.push_back(
+            template_row(make_multisphere(s * options.b, options.b, count, spacing), s));
+      } catch (const std::invalid_argument& error) {
+        fmt::print(stderr, "warning: {}\n", error.what());
+      }
+    }
+  if (table.rows.empty())
+    throw InputError("none of these templates can be built");
+  return table;
+}
+
+void write_files(const TemplateOptions& options, SphereSpacing spacing) {
+  const std::vector<const std::string*> files = {&options.multisphere, &options.molecule,
+                                                 &options.spheres, &options.mesh, &options.stl};
+  bool wants_files = false;
+  for (const std::string* file : files)
+    wants_files = wants_files || !file->empty();
+  if (!wants_files)
+    return;
+  if (options.counts.size() != 1 || options.aspect_ratios.size() != 1)
+    throw InputError("files hold one template: give one --subspheres and one --aspect");
+  const MultisphereTemplate chain =
+      make_multisphere(options.aspect_ratios[0] * options.b, options.b, options.counts[0], spacing);
+  const auto write = [](const std::string& path, const std::string& text) {
+    if (!path.empty())
+      write_text(path, text);
+  };
+  write(options.multisphere, host_multisphere_file(chain));
+  write(options.molecule, molecule_file(chain));
+  write(options.spheres, spheres_csv(chain));
+  const SurfaceMesh surface = outline_of_revolution(chain);
+  write(options.mesh, vtp_text(surface));
+  write(options.stl, stl_text(surface));
+}
+
+int run(TemplateOptions& options) {
+  const SphereSpacing spacing = sphere_spacing_from_word(options.spacing_word);
+  if (options.tolerance > 0.0) {
+    options.counts.clear();
+    for (const double s : options.aspect_ratios)
+      options.counts.push_back(sphere_count_for(s, ShapeMeasure::area, options.tolerance, spacing));
+  }
+  write_table(options.output, geometry_table(options, spacing));
+  write_files(options, spacing);
+  return exit_good;
+}
+
+} // namespace
+
+void add_template_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<TemplateOptions>();
+  CLI::App* command = program.add_subcommand(
+      "template", "multi-sphere templates: geometry table, files for LIGGGHTS, LAMMPS, ParaView");
+  command->alias("shape");
+  command->footer(
+      "Area (9), volume (10), perimeter from the cut-off spheres, exact; ratios to the ellipse "
+      "(2); shape factors |A_MS - A_ell| / A_ell (26) and |P_MS - P_ell| / P_ell (27); outline "
+      "deviation: largest distance between outline and ellipse.");
+  command->add_option("--b", options->b, "short semi-axis (m)")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--aspect", options->aspect_ratios, "aspect ratios a/b")->delimiter(',');
+  command->add_option("--subspheres", options->counts, "numbers N of sub-spheres")->delimiter(',');
+  command->add_option("--spacing", options->spacing_word, "paper, minimax_outline, minimax_area")
+      ->capture_default_str();
+  command
+      ->add_option("--tolerance", options->tolerance,
+                   "instead of --subspheres: the smallest N within this share of the area")
+      ->check(CLI::Range(1e-6, 0.5));
+  command->add_option("--multisphere", options->multisphere,
+                      "write x y z r lines for the host's fix particletemplate/multisphere");
+  command->add_option("--molecule", options->molecule, "write a LAMMPS molecule file");
+  command->add_option("--spheres", options->spheres, "write the spheres as CSV");
+  command->add_option("--vtp", options->mesh, "write the surface for ParaView");
+  command->add_option("--stl", options->stl, "write the surface as STL");
+  add_output_options(*command, options->output);
+  command->callback([options, &exit_code] {
+    try {
+      exit_code = run(*options);
+    } catch (const std::exception& error) {
+      report_error(error.what());
+      exit_code = exit_bad_data;
+    }
+  });
+}
+
+} // namespace ellipsoid::post

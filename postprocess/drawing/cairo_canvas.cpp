@@ -1,0 +1,109 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "cairo_canvas.h"
+
+#include "input_error.h"
+
+#include <cmath>
+
+namespace ellipsoid::post {
+namespace {
+
+constexpr double pi = 3.141592653589793238462643;
+
+cairo_status_t append_bytes(void* to, const unsigned char* bytes, unsigned length) {
+  static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+void set_colour(cairo_t* cairo, const Colour& c, double opacity) {
+  cairo_set_source_rgba(cairo, c.red, c.green, c.blue, opacity);
+}
+
+} // namespace
+
+CairoCanvas::CairoCanvas(int width, int height)
+    : m_surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height)),
+      m_cairo(cairo_create(m_surface)) {
+  set_colour(m_cairo, {1.0, 1.0, 1.0}, 1.0);
+  cairo_paint(m_cairo);
+  cairo_set_line_join(m_cairo, CAIRO_LINE_JOIN_ROUND);
+}
+
+CairoCanvas::~CairoCanvas() {
+  cairo_destroy(m_cairo);
+  cairo_surface_destroy(m_surface);
+}
+
+void CairoCanvas::paint(const Style& style) {
+  if (style.is_filled) {
+    set_colour(m_cairo, style.fill, style.fill_opacity);
+    cairo_fill_preserve(m_cairo);
+  }
+  if (style.line_width > 0.0) {
+    set_colour(m_cairo, style.line, 1.0);
+    cairo_set_line_width(m_cairo, style.line_width);
+    cairo_set_dash(m_cairo, style.dashes.data(), static_cast<int>(style.dashes.size()), 0.0);
+    cairo_stroke_preserve(m_cairo);
+  }
+  cairo_new_path(m_cairo);
+}
+
+void CairoCanvas::ellipse(const PixelPoint& centre, double a, double b, double turn_degrees,
+                          const Style& style) {
+  cairo_save(m_cairo);
+  cairo_translate(m_cairo, centre.x, centre.y);
+  cairo_rotate(m_cairo, turn_degrees * pi / 180.0);
+  cairo_scale(m_cairo, a, b);
+  cairo_arc(m_cairo, 0.0, 0.0, 1.0, 0.0, 2.0 * pi);
+  cairo_close_path(m_cairo);
+  cairo_restore(m_cairo); // the line's width is not scaled
+  paint(style);
+}
+
+void CairoCanvas::polyline(const std::vector<PixelPoint>& points, bool is_closed,
+                           const Style& style) {
+  for (const PixelPoint& p : points)
+    cairo_line_to(m_cairo, p.x, p.y);
+  if (is_closed)
+    cairo_close_path(m_cairo);
+  paint(style);
+}
+
+void CairoCanvas::text(const PixelPoint& place, const std::string& words, const TextStyle& style) {
+  cairo_save(m_cairo);
+  cairo_select_font_face(m_cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+                         style.is_bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(m_cairo, style.size);
+  cairo_text_extents_t extents;
+  cairo_text_extents(m_cairo, words.c_str(), &extents);
+  const double share = style.anchor == Anchor::start    ? 0.0
+                       : style.anchor == Anchor::middle ? 0.5
+                                                        : 1.0;
+  cairo_translate(m_cairo, place.x, place.y);
+  cairo_rotate(m_cairo, style.turn_degrees * pi / 180.0);
+  cairo_move_to(m_cairo, -share * extents.x_advance, 0.0);
+  set_colour(m_cairo, style.colour, 1.0);
+  cairo_show_text(m_cairo, words.c_str());
+  cairo_restore(m_cairo);
+  cairo_new_path(m_cairo);
+}
+
+void CairoCanvas::begin_clip(const PixelPoint& corner, double width, double height) {
+  cairo_save(m_cairo);
+  cairo_rectangle(m_cairo, corner.x, corner.y, width, height);
+  cairo_clip(m_cairo);
+}
+
+void CairoCanvas::end_clip() { cairo_restore(m_cairo); }
+
+std::string CairoCanvas::finish() {
+  std::string bytes;
+  cairo_surface_flush(m_surface);
+  const cairo_status_t status = cairo_surface_write_to_png_stream(m_surface, append_bytes, &bytes);
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw InputError(std::string("the picture cannot be written: ") +
+                     cairo_status_to_string(status));
+  return bytes;
+}
+
+} // namespace ellipsoid::post

@@ -1,0 +1,33 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "canvas.h"
+
+#include "input_error.h"
+#include "svg_canvas.h"
+
+#ifdef ELLIPSOID_HAS_CAIRO
+#include "cairo_canvas.h"
+#endif
+
+namespace ellipsoid::post {
+
+PictureFormat picture_format(const std::string& path) {
+  const std::string ending = path.size() > 4 ? path.substr(path.size() - 4) : "";
+  if (ending == ".svg")
+    return PictureFormat::svg;
+  if (ending == ".png")
+    return PictureFormat::png;
+  throw InputError(path + ": a picture's name ends in .svg or .png");
+}
+
+std::unique_ptr<Canvas> make_canvas(PictureFormat format, int width, int height) {
+  if (format == PictureFormat::svg)
+    return std::make_unique<SvgCanvas>(width, height);
+#ifdef ELLIPSOID_HAS_CAIRO
+  return std::make_unique<CairoCanvas>(width, height);
+#else
+  throw InputError("this build draws no PNG because cairo was not found (Debian: "
+                   "libcairo2-dev); choose a name that ends in .svg");
+#endif
+}
+
+} // namespace ellipsoid::post

@@ -1,0 +1,62 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "particle_colours.h"
+
+#include "colour_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ellipsoid::post {
+namespace {
+
+constexpr Colour plain_colour{0.78, 0.86, 0.94};
+
+double plane_angle(const Particle& p) {
+  const Vector3 axis = rotation(p.orientation).column_x;
+  const double degrees = std::atan2(axis.y, axis.x) * 180.0 / 3.141592653589793238462643;
+  return degrees < 0.0 ? degrees + 180.0 : std::fmod(degrees, 180.0);
+}
+
+std::vector<double> values_of(const Frame& frame, const ParticleSet& set, const std::string& by) {
+  std::vector<double> values;
+  const bool is_column = by != "angle" && by != "speed";
+  const std::vector<double>* column =
+      is_column ? &frame.required(by, "for the colours; or choose angle or speed") : nullptr;
+  if (column && column->empty() && frame.rows > 0)
+    throw InputError("the column \"" + by + "\" holds words, not numbers; choose another");
+  for (const Particle& p : set.particles)
+    values.push_back(column ? (*column)[p.row] : by == "angle" ? plane_angle(p) : norm(p.velocity));
+  return values;
+}
+
+} // namespace
+
+Colour scale_colour(const ParticleColours& scale, double value) {
+  const double width = scale.high - scale.low;
+  const double share = width > 0.0 ? (value - scale.low) / width : 0.5;
+  return scale.is_cyclic ? cyclic_colour(share) : lighter(colour_of(share), 0.15);
+}
+
+ParticleColours particle_colours(const Frame& frame, const ParticleSet& set, const std::string& by,
+                                 const std::optional<double>& low,
+                                 const std::optional<double>& high) {
+  ParticleColours result;
+  if (by.empty() || set.particles.empty()) {
+    result.colours.assign(set.particles.size(), plain_colour);
+    return result;
+  }
+  const std::vector<double> values = values_of(frame, set, by);
+  result.has_scale = true;
+  result.is_cyclic = by == "angle";
+  result.label = by == "angle"   ? "angle of the long axis [deg]"
+                 : by == "speed" ? "speed [m/s]"
+                                 : by;
+  const auto range = std::minmax_element(values.begin(), values.end());
+  result.low = low.value_or(result.is_cyclic ? 0.0 : *range.first);
+  result.high = high.value_or(result.is_cyclic ? 180.0 : *range.second);
+  for (const double value : values)
+    result.colours.push_back(scale_colour(result, value));
+  return result;
+}
+
+} // namespace ellipsoid::post

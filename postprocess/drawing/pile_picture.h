@@ -1,0 +1,36 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#pragma once
+
+#include "canvas.h"
+#include "particles.h"
+#include "pile.h"
+#include "repose.h"
+
+#include <optional>
+#include <string>
+
+namespace ellipsoid::post {
+
+struct PileView {
+  double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0; ///< shown part of the plane (length)
+};
+
+struct PilePictureOptions {
+  int width = 1600;                              ///< pixels; the height follows from the view
+  std::string colour_by;                         ///< column, "angle", "speed"; empty: one colour
+  std::optional<double> colour_low, colour_high; ///< ends of the colour scale; none: of the data
+  std::optional<PileView> view;                  ///< none: the whole pile
+  bool show_fit = true;                          ///< the line A-B and the angle
+  bool show_surface = false;                     ///< the free surface y_max(x)
+  bool show_discs = false;                       ///< inner outlines of the sub-spheres
+  std::string title;
+};
+
+/// Draws an in-plane pile with wall, floor, fitted line and scale bar (paper, figures 10, 11, 14).
+/// Throws InputError for unknown columns.
+/// @return the file's bytes
+std::string draw_pile(PictureFormat format, const Frame& frame, const ParticleSet& set,
+                      const Pile& pile, const PileOptions& pile_options,
+                      const std::optional<ReposeAngle>& angle, const PilePictureOptions& options);
+
+} // namespace ellipsoid::post

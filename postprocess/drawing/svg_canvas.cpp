@@ -1,0 +1,106 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "svg_canvas.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace ellipsoid::post {
+namespace {
+
+std::string hex(const Colour& colour) {
+  const auto byte = [](double share) {
+    return static_cast<int>(std::lround(255.0 * std::fmin(1.0, std::fmax(0.0, share))));
+  };
+  return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.red), byte(colour.green),
+                     byte(colour.blue));
+}
+
+std::string attributes(const Style& style) {
+  std::string text = style.is_filled ? fmt::format(" fill=\"{}\"", hex(style.fill))
+                                     : std::string(" fill=\"none\"");
+  if (style.is_filled && style.fill_opacity < 1.0)
+    text += fmt::format(" fill-opacity=\"{:.3g}\"", style.fill_opacity);
+  if (style.line_width > 0.0)
+    text +=
+        fmt::format(" stroke=\"{}\" stroke-width=\"{:.4g}\"", hex(style.line), style.line_width);
+  if (!style.dashes.empty()) {
+    text += " stroke-dasharray=\"";
+    for (const double dash : style.dashes)
+      text += fmt::format("{:.4g} ", dash);
+    text.back() = '"';
+  }
+  return text;
+}
+
+std::string escaped(const std::string& words) {
+  std::string text;
+  for (const char letter : words) {
+    if (letter == '&')
+      text += "&amp;";
+    else if (letter == '<')
+      text += "&lt;";
+    else if (letter == '>')
+      text += "&gt;";
+    else
+      text += letter;
+  }
+  return text;
+}
+
+} // namespace
+
+SvgCanvas::SvgCanvas(int width, int height) {
+  m_text = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
+                       "viewBox=\"0 0 {0} {1}\" font-family=\"DejaVu Sans, Arial, sans-serif\">\n"
+                       "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
+                       width, height);
+}
+
+void SvgCanvas::ellipse(const PixelPoint& centre, double a, double b, double turn_degrees,
+                        const Style& style) {
+  if (a == b) {
+    m_text += fmt::format("<circle cx=\"{:.3f}\" cy=\"{:.3f}\" r=\"{:.3f}\"{}/>\n", centre.x,
+                          centre.y, a, attributes(style));
+    return;
+  }
+  m_text += fmt::format("<ellipse rx=\"{:.3f}\" ry=\"{:.3f}\" "
+                        "transform=\"translate({:.3f} {:.3f}) rotate({:.3f})\"{}/>\n",
+                        a, b, centre.x, centre.y, turn_degrees, attributes(style));
+}
+
+void SvgCanvas::polyline(const std::vector<PixelPoint>& points, bool is_closed,
+                         const Style& style) {
+  m_text += is_closed ? "<polygon points=\"" : "<polyline points=\"";
+  for (const PixelPoint& p : points)
+    m_text += fmt::format("{:.3f},{:.3f} ", p.x, p.y);
+  m_text += fmt::format("\"{} stroke-linejoin=\"round\"/>\n", attributes(style));
+}
+
+void SvgCanvas::text(const PixelPoint& place, const std::string& words, const TextStyle& style) {
+  const char* anchor = style.anchor == Anchor::start    ? "start"
+                       : style.anchor == Anchor::middle ? "middle"
+                                                        : "end";
+  std::string turn;
+  if (style.turn_degrees != 0.0)
+    turn = fmt::format(" transform=\"rotate({:.2f} {:.3f} {:.3f})\"", style.turn_degrees, place.x,
+                       place.y);
+  m_text += fmt::format(
+      "<text x=\"{:.3f}\" y=\"{:.3f}\" font-size=\"{:.4g}\" text-anchor=\"{}\" fill=\"{}\"{}{}>{}"
+      "</text>\n",
+      place.x, place.y, style.size, anchor, hex(style.colour),
+      style.is_bold ? " font-weight=\"bold\"" : "", turn, escaped(words));
+}
+
+void SvgCanvas::begin_clip(const PixelPoint& corner, double width, double height) {
+  ++m_clips;
+  m_text += fmt::format("<clipPath id=\"clip{0}\"><rect x=\"{1:.3f}\" y=\"{2:.3f}\" "
+                        "width=\"{3:.3f}\" height=\"{4:.3f}\"/></clipPath>\n"
+                        "<g clip-path=\"url(#clip{0})\">\n",
+                        m_clips, corner.x, corner.y, width, height);
+}
+
+void SvgCanvas::end_clip() { m_text += "</g>\n"; }
+
+std::string SvgCanvas::finish() { return m_text + "</svg>\n"; }
+
+} // namespace ellipsoid::post

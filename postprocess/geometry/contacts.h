@@ -1,0 +1,47 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Contacts recomputed from positions with the engine's own kernel.
+#pragma once
+
+#include "particles.h"
+
+#include <vector>
+
+namespace ellipsoid::post {
+
+/// One touching pair of bodies: two ellipsoids, or a sub-sphere with a sub-sphere or ellipsoid.
+struct Contact {
+  Vector3 point;        ///< in space (length)
+  Vector3 normal;       ///< unit, from i to j
+  double overlap = 0.0; ///< h >= -gap (length)
+};
+
+/// One touching pair of particles (i < j, indices of the set) with all its contacts.
+struct PairContact {
+  std::size_t i = 0, j = 0;
+  std::size_t first = 0, count = 0; ///< its run in ContactNetwork::contacts
+  double largest_overlap = 0.0;     ///< (length)
+};
+
+struct ContactNetwork {
+  std::vector<PairContact> pairs;
+  std::vector<Contact> contacts;
+  std::size_t not_converged = 0; ///< contacts whose search hit its iteration limit
+};
+
+/// All contacts between particles. Two bodies touch when the kernel's overlap is h >= 0; with a
+/// gap > 0 all semi-axes and radii are first enlarged by gap / 2 (the overlap is then that of
+/// the enlarged bodies minus gap).
+ContactNetwork find_contacts(const ParticleSet& set, double gap);
+
+/// A plane wall: bodies are on the side into which `inward` points.
+struct PlaneWall {
+  Vector3 point, inward; ///< inward: unit
+};
+
+/// Contacts of one particle with a wall: overlaps (length) of the bodies that touch it, after
+/// the same enlargement by gap.
+std::vector<double> wall_overlaps(const ParticleSet& set, std::size_t particle,
+                                  const PlaneWall& wall, double gap);
+
+} // namespace ellipsoid::post

@@ -1,0 +1,30 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#pragma once
+
+#include "plane_outline.h"
+
+#include <vector>
+
+namespace ellipsoid::post {
+
+/// Part of an outline's parameter range, begin < end, within [0, 2 pi].
+struct ArcInterval {
+  double begin = 0.0, end = 0.0;
+};
+
+/// Parameters t in [0, 2 pi), ascending, at which outline i crosses outline j (at most four).
+/// Touching without crossing gives none. The roots are found by subdivision with a bound of the
+/// second derivative, so that none is missed but pairs closer than 1e-9 rad.
+std::vector<double> crossings(const PlaneEllipse& i, const PlaneEllipse& j);
+
+/// The parts of outline i that lie inside j. `j_wins` decides where both coincide.
+std::vector<ArcInterval> covered_arcs(const PlaneEllipse& i, const PlaneEllipse& j, bool j_wins);
+
+/// The parts of outline i with normal . p > offset (outside of a half-plane).
+std::vector<ArcInterval> arcs_beyond_line(const PlaneEllipse& i, const Point& normal,
+                                          double offset);
+
+/// Sorts and joins overlapping intervals.
+void join(std::vector<ArcInterval>& intervals);
+
+} // namespace ellipsoid::post

@@ -1,0 +1,189 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "union_area.h"
+
+#include "cell_grid.h"
+#include "outline_crossings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ellipsoid::post {
+namespace {
+
+constexpr double two_pi = 2.0 * 3.141592653589793238462643;
+
+/// Edge of the region from `begin` to `end`; outside is where outward . p > offset.
+struct Edge {
+  Point begin, end, outward;
+  double offset = 0.0;
+};
+
+std::vector<Edge> edges_of(const ConvexPolygon& region) {
+  std::vector<Edge> edges;
+  for (std::size_t k = 0; k < region.size(); ++k) {
+    const Point begin = region[k], end = region[(k + 1) % region.size()];
+    const Point along = end - begin;
+    if (!(along.norm() > 0.0))
+      continue;
+    const Point outward = Point(along.y(), -along.x()) / along.norm();
+    edges.push_back({begin, end, outward, outward.dot(begin)});
+  }
+  return edges;
+}
+
+/// Visits the parts of [0, whole] that the intervals leave free (they are joined on the way).
+template <class Visitor>
+void for_uncovered(std::vector<ArcInterval>& covered, double whole, const Visitor& visit) {
+  join(covered);
+  double begin = 0.0;
+  for (const ArcInterval& arc : covered) {
+    if (arc.begin > begin)
+      visit(begin, arc.begin);
+    begin = std::max(begin, arc.end);
+  }
+  if (whole > begin)
+    visit(begin, whole);
+}
+
+/// Length of an arc by Simpson's rule on a fixed fine division (relative error below 1e-9).
+double arc_length(const PlaneEllipse& shape, double begin, double end) {
+  const auto speed = [&shape](double t) {
+    return std::hypot(shape.ux * std::sin(t), shape.vy * std::cos(t) - shape.uy * std::sin(t));
+  };
+  const int parts = 2 * (1 + static_cast<int>(64.0 * (end - begin)));
+  const double step = (end - begin) / parts;
+  double sum = speed(begin) + speed(end);
+  for (int k = 1; k < parts; ++k)
+    sum += (k % 2 == 1 ? 4.0 : 2.0) * speed(begin + k * step);
+  return sum * step / 3.0;
+}
+
+/// Share of the segment begin + s (end - begin), 0 <= s <= 1, inside an outline.
+bool chord(const PlaneEllipse& shape, const Edge& edge, ArcInterval& inside) {
+  const auto to_unit = [&shape](const Point& p) {
+    const double cosine = p.x() / shape.ux;
+    return Point(cosine, (p.y() - shape.uy * cosine) / shape.vy);
+  };
+  const Point d = to_unit(edge.begin - shape.centre), e = to_unit(edge.end - edge.begin);
+  const double middle = -d.dot(e) / e.squaredNorm();
+  const double closest = (d + middle * e).squaredNorm();
+  if (closest >= 1.0)
+    return false;
+  const double half = std::sqrt((1.0 - closest) / e.squaredNorm());
+  inside = {std::max(0.0, middle - half), std::min(1.0, middle + half)};
+  return inside.end > inside.begin;
+}
+
+/// Part of an edge inside an outline.
+struct EdgePart {
+  std::size_t owner = 0;
+  ArcInterval inside;
+};
+
+/// Share of one edge in the area: of all outlines together, and summed owner by owner.
+void add_edge(const Edge& edge, const std::vector<PlaneEllipse>& outlines, UnionMeasures& sums) {
+  std::vector<EdgePart> parts;
+  std::vector<ArcInterval> all;
+  EdgePart part;
+  for (const PlaneEllipse& shape : outlines)
+    if (chord(shape, edge, part.inside)) {
+      part.owner = shape.owner;
+      parts.push_back(part);
+      all.push_back(part.inside);
+    }
+  const double whole = 0.5 * cross(edge.begin, edge.end);
+  const auto joined_length = [](std::vector<ArcInterval>& intervals) {
+    join(intervals);
+    double length = 0.0;
+    for (const ArcInterval& interval : intervals)
+      length += interval.end - interval.begin;
+    return length;
+  };
+  sums.area += whole * joined_length(all);
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const EdgePart& p, const EdgePart& q) { return p.owner < q.owner; });
+  for (std::size_t k = 0; k < parts.size();) {
+    std::vector<ArcInterval> own;
+    const std::size_t owner = parts[k].owner;
+    for (; k < parts.size() && parts[k].owner == owner; ++k)
+      own.push_back(parts[k].inside);
+    sums.area_sum += whole * joined_length(own);
+  }
+}
+
+void append(std::vector<ArcInterval>& to, const std::vector<ArcInterval>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+} // namespace
+
+UnionMeasures union_in_region(const std::vector<PlaneEllipse>& outlines,
+                              const ConvexPolygon& region) {
+  UnionMeasures result;
+  if (region.size() < 3)
+    return result;
+  const std::vector<Edge> edges = edges_of(region);
+  std::vector<Vector3> centres;
+  std::vector<double> radii;
+  for (const PlaneEllipse& shape : outlines) {
+    centres.push_back({shape.centre.x(), shape.centre.y(), 0.0});
+    radii.push_back(shape.bounding_radius());
+  }
+  const CellGrid grid(centres, radii);
+  std::vector<ArcInterval> own, hidden; // hidden by the region's outside or by other outlines
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    const PlaneEllipse& shape = outlines[i];
+    own.clear();
+    hidden.clear();
+    for (const Edge& edge : edges)
+      append(own, arcs_beyond_line(shape, edge.outward, edge.offset));
+    grid.for_neighbours(i, [&](std::size_t j) {
+      append(outlines[j].owner == shape.owner ? own : hidden,
+             covered_arcs(shape, outlines[j], j < i));
+    });
+    append(hidden, own);
+    for_uncovered(own, two_pi,
+                  [&](double t0, double t1) { result.area_sum += shape.green(t0, t1); });
+    for_uncovered(hidden, two_pi, [&](double t0, double t1) {
+      result.area += shape.green(t0, t1);
+      result.perimeter += arc_length(shape, t0, t1);
+    });
+  }
+  for (const Edge& edge : edges)
+    add_edge(edge, outlines, result);
+  return result;
+}
+
+double polygon_area(const ConvexPolygon& polygon) {
+  double area = 0.0;
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    area += 0.5 * cross(polygon[k], polygon[(k + 1) % polygon.size()]);
+  return area;
+}
+
+ConvexPolygon clipped(const ConvexPolygon& polygon, const Point& normal, double offset) {
+  ConvexPolygon result;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Point p = polygon[k], q = polygon[(k + 1) % polygon.size()];
+    const double beyond_p = normal.dot(p) - offset, beyond_q = normal.dot(q) - offset;
+    if (beyond_p <= 0.0)
+      result.push_back(p);
+    if ((beyond_p < 0.0 && beyond_q > 0.0) || (beyond_p > 0.0 && beyond_q < 0.0))
+      result.push_back(p + beyond_p / (beyond_p - beyond_q) * (q - p));
+  }
+  return result;
+}
+
+ConvexPolygon surrounding_rectangle(const std::vector<PlaneEllipse>& outlines) {
+  if (outlines.empty())
+    return {};
+  Point lower = outlines.front().centre, upper = lower;
+  for (const PlaneEllipse& shape : outlines) {
+    const double reach = 2.0 * shape.bounding_radius();
+    lower = lower.cwiseMin(shape.centre - Point(reach, reach));
+    upper = upper.cwiseMax(shape.centre + Point(reach, reach));
+  }
+  return {lower, {upper.x(), lower.y()}, upper, {lower.x(), upper.y()}};
+}
+
+} // namespace ellipsoid::post

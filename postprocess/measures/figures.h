@@ -1,0 +1,23 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#pragma once
+
+#include "chart.h"
+#include "table.h"
+
+#include <vector>
+
+namespace ellipsoid::post {
+
+/// Figures of the paper that can be drawn: 5, 12, 13, 15, 17, 18.
+extern const std::vector<int> known_figures;
+
+/// Ours beside the paper's points.
+///
+/// Figure 5 is computed from the templates. The others use rows of runs as `pile --csv` writes
+/// them: surface, subspheres, outline, repose_angle_deg, porosity, zpp, zss (12, 13, 15);
+/// subspheres, relative_cpu_time (17), potential_contacts_per_particle (18).
+/// @param[in] aspect_ratio of the particles, for the shape factors of figure 15
+/// Throws InputError for an unknown figure or rows without what it needs.
+std::vector<Chart> figure(int number, const Table& runs, double aspect_ratio);
+
+} // namespace ellipsoid::post

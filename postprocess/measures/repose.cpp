@@ -1,0 +1,93 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "repose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace ellipsoid::post {
+namespace {
+
+constexpr double degrees = 180.0 / 3.141592653589793238462643;
+
+/// Columns of the free surface from the pile's middle (summit or wall) outwards.
+std::vector<Point> flank_columns(const Pile& pile, const PileOptions& options, Flank flank) {
+  const double spacing = options.column_spacing * pile.mean_b;
+  const double begin = options.wall ? pile.left : pile.surface.summit().x();
+  const double end = flank == Flank::right ? pile.right : pile.left;
+  const double direction = flank == Flank::right ? 1.0 : -1.0;
+  std::vector<Point> columns;
+  const double length = direction * (end - begin);
+  for (std::size_t k = 0; (static_cast<double>(k) + 0.5) * spacing < length; ++k) {
+    const double x = begin + direction * (static_cast<double>(k) + 0.5) * spacing;
+    columns.emplace_back(x, pile.surface.height(x));
+  }
+  return columns;
+}
+
+/// Number of columns up to and with the outermost one that reaches a height.
+std::size_t outermost(const std::vector<Point>& columns, double height) {
+  std::size_t count = columns.size();
+  while (count > 0 && columns[count - 1].y() < height)
+    --count;
+  return count;
+}
+
+} // namespace
+
+LineFit fit_line(const std::vector<Point>& points) {
+  const auto n = static_cast<double>(points.size());
+  Point mean(0.0, 0.0);
+  for (const Point& p : points)
+    mean += p / n;
+  double sxx = 0.0, sxy = 0.0;
+  for (const Point& p : points) {
+    sxx += (p.x() - mean.x()) * (p.x() - mean.x());
+    sxy += (p.x() - mean.x()) * (p.y() - mean.y());
+  }
+  LineFit fit;
+  fit.slope = sxy / sxx;
+  fit.intercept = mean.y() - fit.slope * mean.x();
+  double squares = 0.0;
+  for (const Point& p : points) {
+    const double r = p.y() - fit.intercept - fit.slope * p.x();
+    squares += r * r;
+  }
+  fit.residual = std::sqrt(squares / n);
+  fit.slope_error = n > 2.0 ? std::sqrt(squares / (n - 2.0) / sxx) : 0.0;
+  return fit;
+}
+
+ReposeAngle repose_angle(const Pile& pile, const PileOptions& options, Flank flank) {
+  const std::vector<Point> columns = flank_columns(pile, options, flank);
+  const double height = pile.surface.summit().y() - options.floor;
+  const std::size_t a = outermost(columns, options.floor + (1.0 - options.cut_top) * height);
+  const std::size_t b = outermost(columns, options.floor + options.cut_bottom * height);
+  const std::size_t first = a > 0 ? a - 1 : 0;
+  if (b < first + 3)
+    throw InputError(fmt::format("the free surface has {} columns between A and B, at least 3 are "
+                                 "needed: the pile is too small, or lower --cut and --columns",
+                                 b > first ? b - first : 0));
+  const std::vector<Point> segment(columns.begin() + static_cast<std::ptrdiff_t>(first),
+                                   columns.begin() + static_cast<std::ptrdiff_t>(b));
+  ReposeAngle result;
+  result.line = fit_line(segment);
+  result.columns = segment.size();
+  const double downhill = flank == Flank::right ? -result.line.slope : result.line.slope;
+  result.angle_deg = degrees * std::atan(downhill);
+  const double length = std::abs(segment.back().x() - segment.front().x());
+  const double samples = static_cast<double>(segment.size());
+  const double independent = std::clamp(length / (2.0 * pile.mean_a), 1.0, samples);
+  const double slope_error = result.line.slope_error * std::sqrt(samples / independent);
+  result.standard_error_deg = degrees * slope_error / (1.0 + downhill * downhill);
+  result.residual = result.line.residual;
+  result.residual_in_b = result.residual / pile.mean_b;
+  const auto on_line = [&](double x) {
+    return Point(x, result.line.intercept + result.line.slope * x);
+  };
+  result.a = on_line(segment.front().x());
+  result.b = on_line(segment.back().x());
+  return result;
+}
+
+} // namespace ellipsoid::post

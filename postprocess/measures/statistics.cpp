@@ -1,0 +1,138 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "statistics.h"
+
+#include "csv_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace ellipsoid::post {
+namespace {
+
+struct Group {
+  Row keys;
+  std::vector<const Row*> rows;
+};
+
+std::string label_of(const Value* value) {
+  double number = 0.0;
+  if (!value || std::holds_alternative<std::monostate>(*value))
+    return "-";
+  if (as_number(*value, number))
+    return fmt::format("{}", number);
+  const auto* text = std::get_if<std::string>(value);
+  return text ? *text : "-";
+}
+
+std::vector<Group> groups_of(const Table& runs, const std::vector<std::string>& keys) {
+  std::vector<Group> groups;
+  for (const Row& row : runs.rows) {
+    Row group_keys;
+    for (const std::string& key : keys)
+      group_keys.push_back({key, key, "", label_of(find_value(row, key))});
+    const auto it = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
+      return std::equal(group.keys.begin(), group.keys.end(), group_keys.begin(),
+                        [](const Quantity& p, const Quantity& q) { return p.value == q.value; });
+    });
+    if (it != groups.end())
+      it->rows.push_back(&row);
+    else
+      groups.push_back({std::move(group_keys), {&row}});
+  }
+  return groups;
+}
+
+std::vector<double> numbers_of(const Group& group, const std::string& key) {
+  std::vector<double> numbers;
+  double number = 0.0;
+  for (const Row* row : group.rows)
+    if (const Value* value = find_value(*row, key); value && as_number(*value, number))
+      numbers.push_back(number);
+  return numbers;
+}
+
+/// "repose_angle_deg" and "half_range" to "repose_angle_half_range_deg": the unit stays last.
+std::string key_with(const std::string& key, const std::string& what) {
+  for (const char* unit : {"_deg", "_m2", "_m3", "_m_per_s", "_m", "_s", "_b", "_J", "_N"}) {
+    const std::string ending = unit;
+    if (key.size() > ending.size() &&
+        key.compare(key.size() - ending.size(), ending.size(), ending) == 0)
+      return key.substr(0, key.size() - ending.size()) + "_" + what + ending;
+  }
+  return key + "_" + what;
+}
+
+void append_spread(Row& row, const Quantity& quantity, const Spread& s) {
+  const std::string& key = quantity.key;
+  row.push_back({key_with(key, "mean"), quantity.name, quantity.unit, s.mean});
+  row.push_back({key_with(key, "half_range"), "+-", quantity.unit, s.half_range});
+  row.push_back({key + "_half_range_percent", "+-", "%",
+                 s.mean != 0.0 ? Value(100.0 * s.half_range / std::abs(s.mean)) : Value()});
+  row.push_back({key_with(key, "standard_deviation"), "s.d.", quantity.unit, s.standard_deviation});
+  row.push_back({key_with(key, "lowest"), "lowest", quantity.unit, s.lowest});
+  row.push_back({key_with(key, "highest"), "highest", quantity.unit, s.highest});
+}
+
+} // namespace
+
+Spread spread_of(const std::vector<double>& values) {
+  Spread s;
+  s.count = values.size();
+  if (values.empty())
+    return s;
+  const auto n = static_cast<double>(values.size());
+  const auto range = std::minmax_element(values.begin(), values.end());
+  s.lowest = *range.first;
+  s.highest = *range.second;
+  s.half_range = 0.5 * (s.highest - s.lowest);
+  for (const double value : values)
+    s.mean += value / n;
+  double squares = 0.0;
+  for (const double value : values)
+    squares += (value - s.mean) * (value - s.mean);
+  s.standard_deviation = values.size() > 1 ? std::sqrt(squares / (n - 1.0)) : 0.0;
+  return s;
+}
+
+std::string summary_text(const Table& runs, const std::vector<std::string>& group_keys,
+                         const std::vector<std::string>& quantities) {
+  Table result{"Mean and margin (half range) over runs", {}};
+  const std::vector<Quantity> header = runs.header();
+  for (const Group& group : groups_of(runs, group_keys)) {
+    Row row = group.keys;
+    row.push_back({"runs", "runs", "", static_cast<std::int64_t>(group.rows.size())});
+    for (const Quantity& q : header) {
+      if (std::find(quantities.begin(), quantities.end(), q.key) == quantities.end())
+        continue;
+      const Spread s = spread_of(numbers_of(group, q.key));
+      const double percent = s.mean != 0.0 ? 100.0 * s.half_range / std::abs(s.mean) : 0.0;
+      if (s.count > 0)
+        row.push_back({q.key, q.name, q.unit,
+                       fmt::format("{:.4g} +- {:.2g} ({:.1f} %)", s.mean, s.half_range, percent)});
+    }
+    result.rows.push_back(std::move(row));
+  }
+  return as_text(result);
+}
+
+Table summary_of(const Table& runs, const std::vector<std::string>& group_keys,
+                 const std::vector<std::string>& quantities) {
+  Table result{"Mean and margin (half range) over runs", {}};
+  const std::vector<Quantity> header = runs.header();
+  for (const Group& group : groups_of(runs, group_keys)) {
+    Row row = group.keys;
+    row.push_back({"runs", "runs", "", static_cast<std::int64_t>(group.rows.size())});
+    for (const std::string& key : quantities) {
+      const std::vector<double> values = numbers_of(group, key);
+      const auto known = std::find_if(header.begin(), header.end(),
+                                      [&](const Quantity& q) { return q.key == key; });
+      if (!values.empty() && known != header.end())
+        append_spread(row, *known, spread_of(values));
+    }
+    result.rows.push_back(std::move(row));
+  }
+  return result;
+}
+
+} // namespace ellipsoid::post

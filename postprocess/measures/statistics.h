@@ -1,0 +1,33 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#pragma once
+
+#include "table.h"
+
+#include <string>
+#include <vector>
+
+namespace ellipsoid::post {
+
+/// Several values of one quantity, as the paper gives them: average and uncertainty margin.
+struct Spread {
+  std::size_t count = 0;
+  double mean = 0.0;
+  double half_range = 0.0;         ///< (max - min) / 2, the paper's margin
+  double standard_deviation = 0.0; ///< of one value, n - 1; 0 for one value
+  double lowest = 0.0, highest = 0.0;
+};
+
+Spread spread_of(const std::vector<double>& values);
+
+/// One row per group: the group's keys, the number of runs, and for each quantity mean, half
+/// range, half range in percent of the mean, standard deviation, lowest and highest value.
+/// Rows without one of the group's keys form a group of their own ("-").
+/// @param[in] quantities keys; those that no row has as a number are left out
+Table summary_of(const Table& runs, const std::vector<std::string>& group_keys,
+                 const std::vector<std::string>& quantities);
+
+/// The same for people: "22.7 +- 1.8 (8 %)".
+std::string summary_text(const Table& runs, const std::vector<std::string>& group_keys,
+                         const std::vector<std::string>& quantities);
+
+} // namespace ellipsoid::post

@@ -1,0 +1,80 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "csv_table.h"
+
+#include "byte_source.h"
+#include "input_error.h"
+
+#include <charconv>
+#include <fmt/format.h>
+
+namespace ellipsoid::post {
+namespace {
+
+/// Fields of one line; a doubled quote inside quotes stands for one.
+std::vector<std::string> fields_of(std::string_view line, const FilePlace& place) {
+  std::vector<std::string> fields(1);
+  bool is_quoted = false;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const char letter = line[k];
+    if (letter == '"' && is_quoted && k + 1 < line.size() && line[k + 1] == '"') {
+      fields.back() += letter;
+      ++k;
+    } else if (letter == '"') {
+      is_quoted = !is_quoted;
+    } else if (letter == ',' && !is_quoted) {
+      fields.emplace_back();
+    } else {
+      fields.back() += letter;
+    }
+  }
+  if (is_quoted)
+    throw InputError(
+        fmt::format("{}:{}: expected a closing quote in this line", place.file, place.line));
+  return fields;
+}
+
+Value value_of(const std::string& field) {
+  if (field.empty())
+    return std::monostate();
+  double number = 0.0;
+  const auto result = std::from_chars(field.data(), field.data() + field.size(), number);
+  if (result.ec == std::errc() && result.ptr == field.data() + field.size())
+    return number;
+  return field;
+}
+
+} // namespace
+
+Table read_csv(const std::string& path) {
+  LineReader lines(open_bytes(path), path);
+  std::string_view line;
+  if (!lines.next(line) || line.empty())
+    throw InputError(fmt::format("{}:1: expected a line with the names of the columns", path));
+  const auto keys = fields_of(line, {path, 1, 0});
+  Table table;
+  while (lines.next(line)) {
+    if (line.empty())
+      continue;
+    const auto fields = fields_of(line, {path, lines.line_number(), 0});
+    if (fields.size() != keys.size())
+      throw InputError(fmt::format("{}:{}: expected {} fields, found {}", path, lines.line_number(),
+                                   keys.size(), fields.size()));
+    Row row;
+    for (std::size_t k = 0; k < keys.size(); ++k)
+      row.push_back({keys[k], keys[k], "", value_of(fields[k])});
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+bool as_number(const Value& value, double& number) {
+  if (const auto* real = std::get_if<double>(&value))
+    number = *real;
+  else if (const auto* integer = std::get_if<std::int64_t>(&value))
+    number = static_cast<double>(*integer);
+  else
+    return false;
+  return true;
+}
+
+} // namespace ellipsoid::post

@@ -1,0 +1,112 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "template_files.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace ellipsoid::post {
+namespace {
+
+constexpr double pi = 3.141592653589793238462643;
+constexpr int meridians = 32;          ///< corners of a circle about the x axis
+constexpr double arc_step = pi / 24.0; ///< angle between points of the outline on one sphere
+
+/// A point of the outline above the x axis.
+struct OutlinePoint {
+  double x = 0.0, distance = 0.0; ///< distance from the axis; 0 at the two ends
+};
+
+/// The outline turned about the x axis; its first and last points lie on the axis.
+SurfaceMesh turned(const std::vector<OutlinePoint>& outline) {
+  SurfaceMesh mesh;
+  const std::size_t rings = outline.size() - 2;
+  mesh.points.push_back({outline.front().x, 0.0, 0.0});
+  for (std::size_t k = 1; k <= rings; ++k)
+    for (int m = 0; m < meridians; ++m) {
+      const double angle = 2.0 * pi * m / meridians;
+      mesh.points.push_back({outline[k].x, outline[k].distance * std::cos(angle),
+                             outline[k].distance * std::sin(angle)});
+    }
+  mesh.points.push_back({outline.back().x, 0.0, 0.0});
+  const auto at = [](std::size_t ring, std::size_t m) {
+    return 1 + ring * meridians + m % meridians;
+  };
+  const std::size_t last = mesh.points.size() - 1;
+  for (std::size_t m = 0; m < meridians; ++m) {
+    mesh.triangles.push_back({0, at(0, m + 1), at(0, m)});
+    for (std::size_t ring = 0; ring + 1 < rings; ++ring) {
+      mesh.triangles.push_back({at(ring, m), at(ring, m + 1), at(ring + 1, m)});
+      mesh.triangles.push_back({at(ring, m + 1), at(ring + 1, m + 1), at(ring + 1, m)});
+    }
+    mesh.triangles.push_back({last, at(rings - 1, m), at(rings - 1, m + 1)});
+  }
+  return mesh;
+}
+
+/// Points on one cut-off sphere from its left to its right cutting plane, both included.
+void append_arc(std::vector<OutlinePoint>& outline, double centre, double radius, double begin,
+                double end) {
+  const auto angle_of = [&](double x) {
+    return std::acos(std::fmax(-1.0, std::fmin(1.0, (x - centre) / radius)));
+  };
+  const double from = angle_of(begin), to = angle_of(end); // from > to
+  const int parts = 1 + static_cast<int>((from - to) / arc_step);
+  for (int k = 0; k <= parts; ++k) {
+    const double angle = from + (to - from) * k / parts;
+    const OutlinePoint p{centre + radius * std::cos(angle), radius * std::sin(angle)};
+    if (outline.empty() || std::abs(p.x - outline.back().x) > 1e-9 * radius)
+      outline.push_back(p);
+  }
+}
+
+} // namespace
+
+std::string host_multisphere_file(const MultisphereTemplate& chain) {
+  std::string text;
+  for (std::size_t k = 0; k < chain.centres.size(); ++k)
+    text += fmt::format("{} 0 0 {}\n", chain.centres[k], chain.radii[k]);
+  return text;
+}
+
+std::string molecule_file(const MultisphereTemplate& chain) {
+  std::string text =
+      fmt::format("multi-sphere ellipsoid a = {} b = {} N = {} ({})\n\n{} atoms\n\n"
+                  "Coords\n\n",
+                  chain.a, chain.b, chain.count(), word_of(chain.spacing), chain.count());
+  for (std::size_t k = 0; k < chain.centres.size(); ++k)
+    text += fmt::format("{} {} 0 0\n", k + 1, chain.centres[k]);
+  text += "\nTypes\n\n";
+  for (std::size_t k = 0; k < chain.centres.size(); ++k)
+    text += fmt::format("{} 1\n", k + 1);
+  text += "\nDiameters\n\n";
+  for (std::size_t k = 0; k < chain.centres.size(); ++k)
+    text += fmt::format("{} {}\n", k + 1, 2.0 * chain.radii[k]);
+  return text;
+}
+
+std::string spheres_csv(const MultisphereTemplate& chain) {
+  std::string text = "index,x_m,y_m,z_m,radius_m\n";
+  for (std::size_t k = 0; k < chain.centres.size(); ++k)
+    text += fmt::format("{},{},0,0,{}\n", k + 1, chain.centres[k], chain.radii[k]);
+  return text;
+}
+
+SurfaceMesh outline_of_revolution(const MultisphereTemplate& chain) {
+  std::vector<OutlinePoint> outline;
+  for (const CutOffSphere& part : cut_off_spheres(chain)) {
+    const auto k = static_cast<std::size_t>(part.sphere);
+    append_arc(outline, chain.centres[k], chain.radii[k], part.begin, part.end);
+  }
+  return turned(outline);
+}
+
+SurfaceMesh ellipsoid_surface(const Vector3& semiaxes) {
+  std::vector<OutlinePoint> outline;
+  append_arc(outline, 0.0, 1.0, -1.0, 1.0);
+  SurfaceMesh mesh = turned(outline);
+  for (Vector3& p : mesh.points)
+    p = {semiaxes.x * p.x, semiaxes.y * p.y, semiaxes.z * p.z};
+  return mesh;
+}
+
+} // namespace ellipsoid::post

@@ -1,0 +1,159 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "byte_source.h"
+
+#include "input_error.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <zlib.h>
+
+namespace ellipsoid::post {
+namespace {
+
+class PlainFile : public ByteSource {
+ public:
+  PlainFile(std::FILE* file, std::string path) : m_file(file), m_path(std::move(path)) {}
+  ~PlainFile() override {
+    if (m_file != stdin)
+      std::fclose(m_file);
+  }
+  PlainFile(const PlainFile&) = delete;
+  PlainFile& operator=(const PlainFile&) = delete;
+
+  std::size_t read(char* buffer, std::size_t size) override {
+    const std::size_t got = std::fread(buffer, 1, size, m_file);
+    if (got < size && std::ferror(m_file))
+      throw InputError(fmt::format("{}: cannot be read: {}", m_path, std::strerror(errno)));
+    m_consumed += got;
+    return got;
+  }
+  std::uint64_t consumed() const override { return m_consumed; }
+
+ private:
+  std::FILE* m_file;
+  std::string m_path;
+  std::uint64_t m_consumed = 0;
+};
+
+class GzipFile : public ByteSource {
+ public:
+  GzipFile(gzFile file, std::string path) : m_file(file), m_path(std::move(path)) {
+    gzbuffer(m_file, 1u << 18);
+  }
+  ~GzipFile() override { gzclose(m_file); }
+  GzipFile(const GzipFile&) = delete;
+  GzipFile& operator=(const GzipFile&) = delete;
+
+  std::size_t read(char* buffer, std::size_t size) override {
+    const int got = gzread(m_file, buffer, static_cast<unsigned>(size));
+    int code = Z_OK;
+    const char* reason = gzerror(m_file, &code);
+    if (got < 0 || (code != Z_OK && code != Z_STREAM_END && got == 0))
+      throw InputError(fmt::format("{}: the gzip data are broken or cut off: {}", m_path, reason));
+    return static_cast<std::size_t>(got);
+  }
+  std::uint64_t consumed() const override { return static_cast<std::uint64_t>(gzoffset(m_file)); }
+
+ private:
+  gzFile m_file;
+  std::string m_path;
+};
+
+class MemoryBytes : public ByteSource {
+ public:
+  explicit MemoryBytes(std::string content) : m_content(std::move(content)) {}
+  std::size_t read(char* buffer, std::size_t size) override {
+    const std::size_t got = m_content.copy(buffer, size, m_place);
+    m_place += got;
+    return got;
+  }
+  std::uint64_t consumed() const override { return m_place; }
+
+ private:
+  std::string m_content;
+  std::size_t m_place = 0;
+};
+
+bool starts_like_gzip(std::FILE* file) {
+  unsigned char magic[2] = {0, 0};
+  const std::size_t got = std::fread(magic, 1, 2, file);
+  std::rewind(file);
+  return got == 2 && magic[0] == 0x1f && magic[1] == 0x8b;
+}
+
+} // namespace
+
+std::unique_ptr<ByteSource> open_bytes(const std::string& path) {
+  if (path == "-")
+    return std::make_unique<PlainFile>(stdin, "standard input");
+  struct stat status {};
+  if (stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode))
+    throw InputError(fmt::format("{}: is a directory; give the dump files in it", path));
+  std::FILE* file = std::fopen(path.c_str(), "rb");
+  if (!file)
+    throw InputError(fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
+  // a pipe cannot be rewound: it is taken as plain text
+  if (!S_ISREG(status.st_mode) || !starts_like_gzip(file))
+    return std::make_unique<PlainFile>(file, path);
+  std::fclose(file);
+  gzFile compressed = gzopen(path.c_str(), "rb");
+  if (!compressed)
+    throw InputError(fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
+  return std::make_unique<GzipFile>(compressed, path);
+}
+
+std::unique_ptr<ByteSource> memory_bytes(std::string content) {
+  return std::make_unique<MemoryBytes>(std::move(content));
+}
+
+LineReader::LineReader(std::unique_ptr<ByteSource> source, std::string name)
+    : m_source(std::move(source)), m_name(std::move(name)), m_buffer(std::size_t{1} << 18) {}
+
+bool LineReader::refill() {
+  if (m_at_end)
+    return false;
+  std::memmove(m_buffer.data(), m_buffer.data() + m_begin, m_end - m_begin);
+  m_end -= m_begin;
+  m_begin = 0;
+  if (m_end == m_buffer.size())
+    m_buffer.resize(2 * m_buffer.size());
+  const std::size_t got = m_source->read(m_buffer.data() + m_end, m_buffer.size() - m_end);
+  m_end += got;
+  m_at_end = got == 0;
+  return got > 0;
+}
+
+bool LineReader::take(std::size_t length, std::size_t skipped, std::string_view& line) {
+  ++m_line_number;
+  line = std::string_view(m_buffer.data() + m_begin, length);
+  m_begin += length + skipped;
+  if (!line.empty() && line.back() == '\r')
+    line.remove_suffix(1);
+  if (!line.empty() && std::memchr(line.data(), '\0', line.size()))
+    throw InputError(fmt::format("{}:{}: a NUL byte: this is binary data, expected a text dump",
+                                 m_name, m_line_number));
+  return true;
+}
+
+bool LineReader::next(std::string_view& line) {
+  std::size_t searched = 0;
+  for (;;) {
+    const char* begin = m_buffer.data() + m_begin;
+    const std::size_t held = m_end - m_begin;
+    const void* newline =
+        held > searched ? std::memchr(begin + searched, '\n', held - searched) : nullptr;
+    if (newline)
+      return take(static_cast<std::size_t>(static_cast<const char*>(newline) - begin), 1, line);
+    if (held > longest_line)
+      throw InputError(fmt::format("{}:{}: a line of more than {} bytes: expected a text dump",
+                                   m_name, m_line_number + 1, longest_line));
+    searched = held;
+    if (!refill())
+      return m_end > m_begin && take(m_end - m_begin, 0, line);
+  }
+}
+
+} // namespace ellipsoid::post

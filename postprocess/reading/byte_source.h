@@ -1,0 +1,58 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Bytes and lines of plain or gzip files, in constant memory.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ellipsoid::post {
+
+/// A stream of bytes with a known place.
+class ByteSource {
+ public:
+  virtual ~ByteSource() = default;
+  /// Fills up to `size` bytes; 0 means the end. Throws InputError when the device or the
+  /// compressed data are broken.
+  virtual std::size_t read(char* buffer, std::size_t size) = 0;
+  /// Bytes of the file on disk that have been consumed so far (for the progress bar).
+  virtual std::uint64_t consumed() const = 0;
+};
+
+/// Opens a plain or gzip file (told apart by its first bytes); "-" is standard input.
+std::unique_ptr<ByteSource> open_bytes(const std::string& path);
+
+/// Bytes that are in memory already (tests, fuzzing).
+std::unique_ptr<ByteSource> memory_bytes(std::string content);
+
+/// Splits a byte source into lines; a line may be of any length up to `longest_line`.
+class LineReader {
+ public:
+  static constexpr std::size_t longest_line = std::size_t{1} << 20;
+
+  LineReader(std::unique_ptr<ByteSource> source, std::string name);
+
+  /// The next line without its end; false at the end of the file. The view is valid until the
+  /// next call. Throws InputError for a line that is too long or holds a NUL byte (binary data).
+  bool next(std::string_view& line);
+
+  /// Number of the line that `next` gave last, from 1.
+  std::size_t line_number() const { return m_line_number; }
+  const std::string& name() const { return m_name; }
+  std::uint64_t consumed() const { return m_source->consumed(); }
+
+ private:
+  bool refill();
+  bool take(std::size_t length, std::size_t skipped, std::string_view& line);
+
+  std::unique_ptr<ByteSource> m_source;
+  std::string m_name;
+  std::vector<char> m_buffer;
+  std::size_t m_begin = 0, m_end = 0, m_line_number = 0;
+  bool m_at_end = false;
+};
+
+} // namespace ellipsoid::post

@@ -1,0 +1,31 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "frame.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace ellipsoid::post {
+
+int Frame::find(const std::string& name) const {
+  const auto it = std::find(names.begin(), names.end(), name);
+  return it == names.end() ? -1 : static_cast<int>(it - names.begin());
+}
+
+int Frame::find_any(const std::vector<std::string>& candidates) const {
+  for (const auto& name : candidates)
+    if (const int k = find(name); k >= 0)
+      return k;
+  return -1;
+}
+
+const std::vector<double>& Frame::required(const std::string& name,
+                                           const std::string& purpose) const {
+  const int k = find(name);
+  if (k < 0)
+    throw unexpected(place, fmt::format("a column \"{}\" ({})", name, purpose),
+                     fmt::format("only: {}", fmt::join(names, " ")));
+  return columns[static_cast<std::size_t>(k)];
+}
+
+} // namespace ellipsoid::post

@@ -1,0 +1,41 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// One moment of a simulation as its file tells it: named columns of numbers and the box.
+#pragma once
+
+#include "input_error.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ellipsoid::post {
+
+/// Bounds of the simulation box (length).
+struct Box {
+  double lower[3] = {0.0, 0.0, 0.0};
+  double upper[3] = {0.0, 0.0, 0.0};
+  std::string boundary; ///< as in the file, for example "pp pp ff"
+};
+
+struct Frame {
+  FilePlace place;            ///< file, line of the frame's first row, number of the frame
+  std::int64_t timestep = 0;  ///< of the run
+  std::optional<double> time; ///< where the file states it (s)
+  std::string units;          ///< where the file states them ("si", "cgs", ...)
+  std::string label;          ///< "ATOMS" or the label of a dump local
+  Box box;
+  std::size_t rows = 0;
+  std::vector<std::string> names;           ///< of the columns
+  std::vector<std::vector<double>> columns; ///< columns[k][row]; empty for a text column
+
+  /// Index of a column, or -1.
+  int find(const std::string& name) const;
+  /// The first of several names that is there, or -1.
+  int find_any(const std::vector<std::string>& candidates) const;
+  /// The values of a column that must be there; `purpose` completes the error message.
+  const std::vector<double>& required(const std::string& name, const std::string& purpose) const;
+};
+
+} // namespace ellipsoid::post

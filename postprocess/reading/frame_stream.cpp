@@ -1,0 +1,114 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "frame_stream.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <fmt/format.h>
+#include <glob.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace ellipsoid::post {
+namespace {
+
+bool is_digit(char letter) { return std::isdigit(static_cast<unsigned char>(letter)) != 0; }
+
+/// Compares runs of digits as numbers.
+bool natural_less(const std::string& a, const std::string& b) {
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (is_digit(a[i]) && is_digit(b[j])) {
+      std::size_t i_end = i, j_end = j;
+      while (i_end < a.size() && is_digit(a[i_end]))
+        ++i_end;
+      while (j_end < b.size() && is_digit(b[j_end]))
+        ++j_end;
+      while (i < i_end && a[i] == '0')
+        ++i;
+      while (j < j_end && b[j] == '0')
+        ++j;
+      if (i_end - i != j_end - j)
+        return i_end - i < j_end - j;
+      if (const int order = a.compare(i, i_end - i, b, j, j_end - j); order != 0)
+        return order < 0;
+      i = i_end;
+      j = j_end;
+    } else {
+      if (a[i] != b[j])
+        return a[i] < b[j];
+      ++i;
+      ++j;
+    }
+  }
+  return a.size() - i < b.size() - j;
+}
+
+std::uint64_t file_size(const std::string& path) {
+  struct stat status {};
+  const bool is_known = stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+  return is_known ? static_cast<std::uint64_t>(status.st_size) : 0;
+}
+
+} // namespace
+
+std::vector<std::string> expand(const std::string& pattern) {
+  if (pattern.find_first_of("*?[") == std::string::npos)
+    return {pattern};
+  glob_t found{};
+  const int status = glob(pattern.c_str(), 0, nullptr, &found);
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < found.gl_pathc; ++k)
+    names.emplace_back(found.gl_pathv[k]);
+  globfree(&found);
+  if (status != 0 || names.empty())
+    throw InputError(fmt::format("{}: no file matches this pattern", pattern));
+  std::sort(names.begin(), names.end(), natural_less);
+  return names;
+}
+
+FrameStream::FrameStream(std::vector<std::string> files) : m_files(std::move(files)) {
+  for (const std::string& file : m_files)
+    m_total_bytes += file_size(file);
+}
+
+bool FrameStream::next(Frame& frame) {
+  for (;;) {
+    if (!m_reader) {
+      if (m_next_file == m_files.size()) {
+        clear_progress();
+        return false;
+      }
+      m_reader = std::make_unique<TextDumpReader>(m_files[m_next_file++]);
+    }
+    if (m_reader->next(frame)) {
+      ++m_frames;
+      show_progress();
+      return true;
+    }
+    m_bytes_before += m_reader->consumed();
+    m_reader.reset();
+  }
+}
+
+void FrameStream::show_progress() {
+  constexpr std::uint64_t too_small_to_show = 20'000'000; // bytes: read in a blink
+  if (m_total_bytes < too_small_to_show || isatty(STDERR_FILENO) == 0)
+    return;
+  const std::uint64_t done = m_bytes_before + m_reader->consumed();
+  const int percent = static_cast<int>(100 * done / m_total_bytes);
+  if (percent == m_shown_percent)
+    return;
+  m_shown_percent = percent;
+  fmt::print(stderr, "\rreading {:3d} %  [{:<25}]  frame {}", percent,
+             std::string(static_cast<std::size_t>(std::min(percent, 100)) / 4, '#'), m_frames);
+  std::fflush(stderr);
+}
+
+void FrameStream::clear_progress() {
+  if (m_shown_percent >= 0)
+    fmt::print(stderr, "\r{:70}\r", "");
+  m_shown_percent = -1;
+}
+
+} // namespace ellipsoid::post

@@ -1,0 +1,37 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#pragma once
+
+#include "text_dump.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ellipsoid::post {
+
+/// Names that match a pattern with * ? [..], in natural order (dump.9 before dump.10); a name
+/// without such signs is returned as it is. Throws InputError when nothing matches.
+std::vector<std::string> expand(const std::string& pattern);
+
+/// The frames of one run: one file with many frames, or many files in natural order.
+class FrameStream {
+ public:
+  explicit FrameStream(std::vector<std::string> files);
+
+  /// The next whole frame; false after the last one. Throws InputError.
+  bool next(Frame& frame);
+
+  const std::vector<std::string>& files() const { return m_files; }
+
+ private:
+  void show_progress();
+  void clear_progress();
+
+  std::vector<std::string> m_files;
+  std::size_t m_next_file = 0, m_frames = 0;
+  std::unique_ptr<TextDumpReader> m_reader;
+  std::uint64_t m_total_bytes = 0, m_bytes_before = 0;
+  int m_shown_percent = -1;
+};
+
+} // namespace ellipsoid::post

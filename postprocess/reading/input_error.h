@@ -1,0 +1,30 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace ellipsoid::post {
+
+/// Something is wrong with the user's data: one line that names the place and what was expected.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A place in a file; lines count from 1, frames from 1.
+struct FilePlace {
+  std::string file;
+  std::size_t line = 0;
+  std::size_t frame = 0;
+};
+
+/// "FILE:LINE: frame K: expected E, found F".
+InputError unexpected(const FilePlace& place, const std::string& expected,
+                      const std::string& found);
+
+/// The text for a message: shortened, control characters made visible.
+std::string quoted(const std::string& text);
+
+} // namespace ellipsoid::post

@@ -1,0 +1,221 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "text_dump.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace ellipsoid::post {
+namespace {
+
+/// Columns that hold words, not numbers; their values are not kept.
+constexpr std::array<std::string_view, 1> text_columns = {"element"};
+
+/// More columns than this is not a dump.
+constexpr std::size_t most_columns = 10000;
+
+/// Rows for which memory is set aside before any of them was seen: a wrong count in a broken
+/// file must not ask for all the memory of the machine.
+constexpr std::size_t most_rows_reserved = std::size_t{1} << 20;
+
+bool is_blank(char letter) { return letter == ' ' || letter == '\t'; }
+
+/// Cuts the next blank-separated token off `rest`; empty at the end.
+std::string_view next_token(std::string_view& rest) {
+  std::size_t begin = 0;
+  while (begin < rest.size() && is_blank(rest[begin]))
+    ++begin;
+  std::size_t end = begin;
+  while (end < rest.size() && !is_blank(rest[end]))
+    ++end;
+  const std::string_view token = rest.substr(begin, end - begin);
+  rest.remove_prefix(end);
+  return token;
+}
+
+std::vector<std::string> tokens_of(std::string_view text) {
+  std::vector<std::string> tokens;
+  for (auto token = next_token(text); !token.empty(); token = next_token(text))
+    tokens.emplace_back(token);
+  return tokens;
+}
+
+bool starts_with(std::string_view text, std::string_view beginning) {
+  return text.substr(0, beginning.size()) == beginning;
+}
+
+bool is_text_column(std::string_view name) {
+  return std::find(text_columns.begin(), text_columns.end(), name) != text_columns.end();
+}
+
+/// A finite number that fills the whole token; a leading '+' is allowed.
+bool parse_number(std::string_view token, double& value) {
+  if (!token.empty() && token.front() == '+')
+    token.remove_prefix(1);
+  const auto result = std::from_chars(token.data(), token.data() + token.size(), value);
+  if (result.ptr != token.data() + token.size() || token.empty())
+    return false;
+  if (result.ec == std::errc::result_out_of_range) { // too small: 0 is meant; too large: error
+    value = 0.0;
+    return token.find("e-") != std::string_view::npos || token.find("E-") != std::string_view::npos;
+  }
+  return result.ec == std::errc() && std::isfinite(value);
+}
+
+} // namespace
+
+TextDumpReader::TextDumpReader(std::unique_ptr<ByteSource> source, const std::string& name)
+    : m_lines(std::move(source), name) {}
+
+TextDumpReader::TextDumpReader(const std::string& path) : TextDumpReader(open_bytes(path), path) {}
+
+FilePlace TextDumpReader::here() const { return {m_lines.name(), m_lines.line_number(), m_frame}; }
+
+InputError TextDumpReader::cut_off(const std::string& expected) const {
+  FilePlace place = here();
+  ++place.line;
+  return unexpected(place, expected, "the end of the file (the last frame is cut off)");
+}
+
+std::string_view TextDumpReader::line_of(const char* expected) {
+  std::string_view line;
+  if (!m_lines.next(line))
+    throw cut_off(expected);
+  return line;
+}
+
+double TextDumpReader::number(std::string_view token, const char* expected) const {
+  double value = 0.0;
+  if (!parse_number(token, value))
+    throw unexpected(here(), expected, quoted(std::string(token)));
+  return value;
+}
+
+std::int64_t TextDumpReader::integer(std::string_view token, const char* expected) const {
+  std::int64_t value = 0;
+  const auto result = std::from_chars(token.data(), token.data() + token.size(), value);
+  if (token.empty() || result.ec != std::errc() || result.ptr != token.data() + token.size())
+    throw unexpected(here(), expected, quoted(std::string(token)));
+  return value;
+}
+
+void TextDumpReader::read_box(Frame& frame, std::string_view title) {
+  frame.box = Box();
+  std::vector<std::string> words = tokens_of(title.substr(std::string_view("BOX BOUNDS").size()));
+  for (const auto& word : words)
+    if (word != "xy" && word != "xz" && word != "yz")
+      frame.box.boundary += (frame.box.boundary.empty() ? "" : " ") + word;
+  for (int k = 0; k < 3; ++k) {
+    std::string_view rest = line_of("the lower and upper bound of the box");
+    frame.box.lower[k] = number(next_token(rest), "the lower bound of the box, a number");
+    frame.box.upper[k] = number(next_token(rest), "the upper bound of the box, a number");
+  }
+}
+
+/// One section of the header behind "ITEM: "; true when it was the one that announces the rows.
+bool TextDumpReader::read_section(Frame& frame, std::string_view title) {
+  if (starts_with(title, "NUMBER OF ")) {
+    const char* expected = "the number of rows, a whole number >= 0";
+    std::string_view rest = line_of(expected);
+    const std::string_view token = next_token(rest);
+    const std::int64_t rows = integer(token, expected);
+    if (rows < 0)
+      throw unexpected(here(), expected, quoted(std::string(token)));
+    frame.rows = static_cast<std::size_t>(rows);
+  } else if (starts_with(title, "BOX BOUNDS")) {
+    read_box(frame, title);
+  } else if (starts_with(title, "TIME")) {
+    std::string_view rest = line_of("the time");
+    frame.time = number(next_token(rest), "the time, a number");
+  } else if (starts_with(title, "UNITS")) {
+    frame.units = line_of("the unit system");
+  } else {
+    frame.names = tokens_of(title);
+    if (frame.names.size() < 2 || frame.names.size() > most_columns)
+      throw unexpected(here(), "\"ITEM: ATOMS\" with the names of the columns",
+                       quoted("ITEM: " + std::string(title)));
+    frame.label = frame.names.front();
+    frame.names.erase(frame.names.begin());
+    return true;
+  }
+  return false;
+}
+
+void TextDumpReader::read_header(Frame& frame) {
+  constexpr std::string_view item = "ITEM: ";
+  const char* timestep_wanted = "the time step, a whole number";
+  std::string_view rest = line_of(timestep_wanted);
+  frame.timestep = integer(next_token(rest), timestep_wanted);
+  frame.time.reset();
+  frame.units.clear();
+  constexpr std::size_t no_count = static_cast<std::size_t>(-1);
+  frame.rows = no_count;
+  for (;;) {
+    const std::string_view line = line_of("\"ITEM: ATOMS\" with the names of the columns");
+    if (!starts_with(line, item))
+      throw unexpected(here(), "a line that begins with \"ITEM: \"", quoted(std::string(line)));
+    if (read_section(frame, line.substr(item.size())))
+      break;
+  }
+  if (frame.rows == no_count)
+    throw unexpected(here(), "\"ITEM: NUMBER OF ATOMS\" before the rows", "none");
+}
+
+void TextDumpReader::read_row(Frame& frame, std::string_view line, std::size_t row) {
+  std::string_view rest = line;
+  for (std::size_t k = 0; k < frame.names.size(); ++k) {
+    const std::string_view token = next_token(rest);
+    if (token.empty())
+      throw unexpected(
+          here(), fmt::format("{} values in row {} of {}", frame.names.size(), row + 1, frame.rows),
+          fmt::format("{}: {}", k, quoted(std::string(line))));
+    if (is_text_column(frame.names[k]))
+      continue;
+    double value = 0.0;
+    if (!parse_number(token, value))
+      throw unexpected(here(), fmt::format("a finite number in column \"{}\"", frame.names[k]),
+                       quoted(std::string(token)));
+    frame.columns[k].push_back(value);
+  }
+  if (!next_token(rest).empty())
+    throw unexpected(
+        here(), fmt::format("{} values in row {} of {}", frame.names.size(), row + 1, frame.rows),
+        fmt::format("more: {}", quoted(std::string(line))));
+}
+
+void TextDumpReader::read_rows(Frame& frame) {
+  frame.columns.resize(frame.names.size());
+  for (auto& column : frame.columns) {
+    column.clear();
+    column.reserve(std::min(frame.rows, most_rows_reserved));
+  }
+  for (std::size_t row = 0; row < frame.rows; ++row) {
+    std::string_view line;
+    const bool more = m_lines.next(line);
+    if (!more || starts_with(line, "ITEM:")) {
+      const std::string expected = fmt::format("row {} of {}", row + 1, frame.rows);
+      throw more ? unexpected(here(), expected, quoted(std::string(line))) : cut_off(expected);
+    }
+    read_row(frame, line, row);
+  }
+}
+
+bool TextDumpReader::next(Frame& frame) {
+  std::string_view line;
+  do { // blank lines between frames, as when files are joined
+    if (!m_lines.next(line))
+      return false;
+  } while (line.find_first_not_of(" \t") == std::string_view::npos);
+  ++m_frame;
+  if (!starts_with(line, "ITEM: TIMESTEP"))
+    throw unexpected(here(), "\"ITEM: TIMESTEP\"", quoted(std::string(line)));
+  frame.place = here();
+  read_header(frame);
+  frame.place.line = m_lines.line_number() + 1;
+  read_rows(frame);
+  return true;
+}
+
+} // namespace ellipsoid::post

@@ -1,0 +1,48 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// LIGGGHTS and LAMMPS text dumps: `dump custom` and `dump local`, any number of frames.
+#pragma once
+
+#include "byte_source.h"
+#include "frame.h"
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace ellipsoid::post {
+
+/// Reads a text dump frame by frame in constant memory.
+///
+/// Strict: every row has as many values as the header has columns, every value is a finite
+/// number (columns in `text_columns` excepted), the frame has as many rows as it announces.
+/// Anything else throws InputError that names file, line, frame and what was expected; the
+/// frames given before stay valid.
+class TextDumpReader {
+ public:
+  TextDumpReader(std::unique_ptr<ByteSource> source, const std::string& name);
+  explicit TextDumpReader(const std::string& path);
+
+  /// Fills the next whole frame (its memory is used again); false at the end of the file.
+  bool next(Frame& frame);
+
+  /// Bytes on disk consumed so far.
+  std::uint64_t consumed() const { return m_lines.consumed(); }
+
+ private:
+  void read_header(Frame& frame);
+  bool read_section(Frame& frame, std::string_view title);
+  void read_box(Frame& frame, std::string_view title);
+  void read_rows(Frame& frame);
+  void read_row(Frame& frame, std::string_view line, std::size_t row);
+  InputError cut_off(const std::string& expected) const;
+  std::string_view line_of(const char* expected);
+  double number(std::string_view token, const char* expected) const;
+  std::int64_t integer(std::string_view token, const char* expected) const;
+  FilePlace here() const;
+
+  LineReader m_lines;
+  std::size_t m_frame = 0;
+};
+
+} // namespace ellipsoid::post
