@@ -22,6 +22,9 @@ double cutting_plane(double centre_left, double radius_left, double centre_right
 
 namespace {
 
+/// Spheres that touch to within this share of their radii do not count as overlapping.
+constexpr double touching_tolerance = 1e-9;
+
 /// Centres x_0 = 0, x_1 .. x_n from the first distance d_1.
 std::vector<double> centres_from_first_distance(double a, int n, double first_distance) {
   std::vector<double> centres{0.0};
@@ -109,6 +112,14 @@ std::optional<std::vector<double>> reach_tip(const EqualRipple& chain, int n) {
 }
 
 } // namespace
+
+bool neighbours_overlap(const HalfChain& half) {
+  for (std::size_t k = 1; k < half.centres.size(); ++k)
+    if (!(half.centres[k] - half.centres[k - 1] <
+          (1.0 - touching_tolerance) * (half.radii[k - 1] + half.radii[k])))
+      return false;
+  return true;
+}
 
 MultisphereTemplate mirrored(double a, double b, SphereSpacing spacing, const HalfChain& half) {
   MultisphereTemplate chain{a, b, spacing, {}, {}};

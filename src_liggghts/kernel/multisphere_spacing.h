@@ -29,9 +29,14 @@ HalfChain paper_half_chain(double a, double b, int n);
 /// tips stay below it; n >= 1. With few spheres at a high aspect ratio neighbours may only touch.
 HalfChain minimax_outline_half_chain(double a, double b, int n);
 
-/// Minimum of the area between outline and ellipse; n >= 1.
-/// @throws std::runtime_error no convergence
+/// Minimum of the area between outline and ellipse; n >= 1. If the equal-ripple chain, where the
+/// search starts, does not overlap, that chain is returned.
+/// @throws std::invalid_argument no convergence (not seen for N up to 999, aspect ratios 1.0001 to
+/// 50)
 HalfChain minimax_area_half_chain(double a, double b, int n);
+
+/// Whether every sphere overlaps its neighbour; touching does not count.
+bool neighbours_overlap(const HalfChain& half);
 
 /// Abscissa of the plane in which two spheres of the chain cut each other (radical plane).
 double cutting_plane(double centre_left, double radius_left, double centre_right,

@@ -3,15 +3,13 @@
 
 #include "multisphere_spacing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
 namespace ellipsoid {
 namespace {
-
-/// Spheres that touch to within this share of their radii do not count as overlapping.
-constexpr double touching_tolerance = 1e-9;
 
 [[noreturn]] void refuse(const std::string& what) {
   throw std::invalid_argument("multisphere template: " + what);
@@ -27,6 +25,9 @@ void check_semiaxes(double a, double b) {
   if (!std::isfinite(a) || !std::isfinite(b) || !(b > 0.0) || !(a > b))
     refuse("semi-axes a = " + number(a) + ", b = " + number(b) +
            "; finite values with a > b > 0 are needed: give the long semi-axis first");
+  if (!(a / b >= smallest_aspect_ratio && a / b <= largest_aspect_ratio))
+    refuse("aspect ratio a/b = 1 + " + number(a / b - 1.0) + "; it may be from 1 + 1e-06 to " +
+           number(largest_aspect_ratio) + ": change a or b, or use a sphere");
 }
 
 void check_count(int count) {
@@ -60,11 +61,7 @@ HalfChain half_chain(double a, double b, int n, SphereSpacing spacing) {
 bool is_admissible(const HalfChain& half, SphereSpacing spacing) {
   if (half.centres.size() == 2 && spacing == SphereSpacing::paper)
     return half.radii[1] <= half.radii[0];
-  for (std::size_t k = 1; k < half.centres.size(); ++k)
-    if (half.centres[k] - half.centres[k - 1] >=
-        (1.0 - touching_tolerance) * (half.radii[k - 1] + half.radii[k]))
-      return false;
-  return true;
+  return neighbours_overlap(half);
 }
 
 const char* name_of(ShapeMeasure what) {
@@ -107,10 +104,23 @@ std::string word_of(SphereSpacing spacing) {
 
 int smallest_overlapping_count(double aspect_ratio, SphereSpacing spacing) {
   check_semiaxes(aspect_ratio, 1.0);
-  for (int n = spacing == SphereSpacing::paper ? 2 : 1; 2 * n + 1 <= largest_sphere_count; ++n)
-    if (is_admissible(half_chain(aspect_ratio, 1.0, n, spacing), spacing))
-      return 2 * n + 1;
-  return 0;
+  const auto overlaps = [&](int n) {
+    return is_admissible(half_chain(aspect_ratio, 1.0, n, spacing), spacing);
+  };
+  // More spheres lie closer together: the first n that works is found by doubling and bisection.
+  const int largest = (largest_sphere_count - 1) / 2;
+  int low = spacing == SphereSpacing::paper ? 2 : 1, high = low;
+  while (!overlaps(high)) {
+    if (high == largest)
+      return 0;
+    low = high;
+    high = std::min(2 * high, largest);
+  }
+  while (high - low > 1) {
+    const int middle = (low + high) / 2;
+    (overlaps(middle) ? high : low) = middle;
+  }
+  return 2 * high + 1;
 }
 
 MultisphereTemplate make_multisphere(double a, double b, int count, SphereSpacing spacing) {

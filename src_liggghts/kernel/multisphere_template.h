@@ -33,6 +33,11 @@ std::string word_of(SphereSpacing spacing);
 /// More spheres than this are refused: far beyond any use, and a bound on the solver's time.
 constexpr int largest_sphere_count = 999;
 
+/// More slender bodies are refused: no chain of so few spheres can approximate them.
+constexpr double largest_aspect_ratio = 100.0;
+/// Rounder bodies are spheres: distances within the chain would be lost in rounding.
+constexpr double smallest_aspect_ratio = 1.000001;
+
 struct MultisphereTemplate {
   double a = 0.0; ///< semi-axis along x of the approximated ellipsoid (length)
   double b = 0.0; ///< the two other semi-axes (length)
@@ -47,7 +52,7 @@ struct MultisphereTemplate {
 /// N = 1: the centre sphere of radius b for every spacing. N = 3 with spacing `paper`: side spheres
 /// of radius (a - b)/2 that touch the centre sphere; allowed up to a = 3b, where they are as large
 /// as the centre sphere. All other chains overlap, or are refused.
-/// @param[in] a, b semi-axes (length), a > b > 0
+/// @param[in] a, b semi-axes (length), a > b > 0, a/b within the limits above
 /// @param[in] count N, odd
 /// @throws std::invalid_argument one line: what, value, allowed range, remedy (names the smallest
 ///         N that works for this aspect ratio when neighbouring spheres do not overlap)

@@ -290,10 +290,14 @@ TEST(MultisphereTemplate, SmallestCountsOfFigure4) {
   EXPECT_NE(error_of(5.0, 1.0, 9).find("is 11"), std::string::npos);
   EXPECT_NE(error_of(10.0, 1.0, 21).find("is 23"), std::string::npos);
   EXPECT_NE(error_of(10.0, 1.0, 3, SphereSpacing::minimax_outline).find("is 7"), std::string::npos);
+  EXPECT_NE(error_of(20.0, 1.0, 3, SphereSpacing::minimax_area).find("is 19"), std::string::npos);
+  EXPECT_NE(error_of(20.0, 1.0, 3, SphereSpacing::minimax_area).find("is 19"), std::string::npos);
   EXPECT_EQ(error_of(5.0, 1.0, 11), "");
   EXPECT_EQ(error_of(3.0, 1.0, 3), "");
   EXPECT_NE(error_of(3.01, 1.0, 3).find("larger than the centre sphere"), std::string::npos);
-  EXPECT_NE(error_of(1000.0, 1.0, 5).find("no N up to 999"), std::string::npos);
+  for (int count = 5; count < 243; count += 2) // the bisection misses no smaller one
+    EXPECT_NE(error_of(100.0, 1.0, count).find("is 243"), std::string::npos);
+  EXPECT_EQ(error_of(100.0, 1.0, 243), "");
 }
 
 TEST(MultisphereTemplate, CountFromTolerance) {
@@ -385,11 +389,16 @@ TEST(MultisphereTemplate, ScaleInvarianceAndReproducibility) {
 TEST(MultisphereTemplate, ExtremeShapesConverge) {
   for (const double s : {1.0001, 1.01, 1.2, 3.0, 20.0})
     for (const int count : {47, 101, 255})
-      for (const SphereSpacing spacing : {SphereSpacing::paper, SphereSpacing::minimax_outline}) {
+      for (const SphereSpacing spacing : all_spacings) {
         const MultisphereTemplate chain = make_multisphere(s, 1.0, count, spacing);
         ASSERT_EQ(chain.count(), count);
         EXPECT_TRUE(std::is_sorted(chain.centres.begin(), chain.centres.end()));
         EXPECT_LT(measure(chain).area_shape_factor, 0.1);
+        if (spacing != SphereSpacing::minimax_area)
+          continue;
+        const MultisphereTemplate outline =
+            make_multisphere(s, 1.0, count, SphereSpacing::minimax_outline);
+        EXPECT_LT(measure(chain).area_between, measure(outline).area_between);
       }
 }
 
@@ -418,6 +427,9 @@ TEST(MultisphereTemplate, RefusesBadInput) {
   for (const auto& shape : bad)
     for (const int count : {1, 3, 5})
       EXPECT_NE(error_of(shape[0], shape[1], count).find("a > b > 0"), std::string::npos);
+  for (const double a : {1.0 + 1e-12, 1.0000009, 100.1, 1e160, 1e300})
+    EXPECT_NE(error_of(a, 1.0, 5).find("to 100:"), std::string::npos);
+  EXPECT_NE(error_of(1e300, 1e-300, 5).find("to 100:"), std::string::npos);
   EXPECT_EQ(error_of(2.7, 1.15, 4).find('\n'), std::string::npos);
 }
 

@@ -1,0 +1,123 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "atom_vec_granular_ellipsoid.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "ellipsoid_host.h"
+#include "ellipsoid_properties.h"
+#include "error.h"
+#include "rigid_body.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+constexpr int data_columns = 16; // without the image flags
+constexpr int image_columns = 3;
+
+double number(Error* error, const char* token, const char* column, const char* atom) {
+  char* end = nullptr;
+  const double value = std::strtod(token, &end);
+  if (end == token || *end != '\0' || !std::isfinite(value))
+    error->one(FLERR, (std::string("Atoms section, atom ") + atom + ": column " + column +
+                       " has the value '" + token + "', allowed is a finite number")
+                          .c_str());
+  return value;
+}
+
+double positive(Error* error, const char* token, const char* column, const char* atom) {
+  const double value = number(error, token, column, atom);
+  if (value <= 0.0)
+    error->one(FLERR, (std::string("Atoms section, atom ") + atom + ": column " + column +
+                       " has the value '" + token + "', allowed is a finite number > 0")
+                          .c_str());
+  return value;
+}
+
+} // namespace
+
+AtomVecGranularEllipsoid::AtomVecGranularEllipsoid(LAMMPS* lmp) : AtomVecSuperquadric(lmp) {
+  size_data_atom = data_columns;
+  xcol_data = 3;
+}
+
+void AtomVecGranularEllipsoid::data_atom(double* position, tagint image, char** values) {
+  const char* id = values[0];
+  const double type = positive(error, values[1], "type", id);
+  if (type != std::floor(type) || type > atom->ntypes)
+    error->one(FLERR, (std::string("Atoms section, atom ") + id + ": type is '" + values[1] +
+                       "', allowed are integers from 1 to " + std::to_string(atom->ntypes))
+                          .c_str());
+  const double tag = positive(error, id, "id", id);
+  create_atom(static_cast<int>(type), position);
+  const int i = atom->nlocal - 1;
+  atom->tag[i] = static_cast<int>(tag);
+  atom->image[i] = image;
+  static const char* const axis_names[3] = {"a", "b", "c"};
+  static const char* const moment_names[3] = {"I1", "I2", "I3"};
+  static const char* const quaternion_names[4] = {"q0", "q1", "q2", "q3"};
+  double q[4];
+  for (int k = 0; k < 3; ++k) {
+    atom->shape[i][k] = positive(error, values[5 + k], axis_names[k], id);
+    atom->inertia[i][k] = positive(error, values[13 + k], moment_names[k], id);
+  }
+  for (int k = 0; k < 4; ++k)
+    q[k] = number(error, values[8 + k], quaternion_names[k], id);
+  const double norm2 = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+  if (std::fabs(norm2 - 1.0) > 1e-6)
+    error->one(FLERR, (std::string("Atoms section, atom ") + id +
+                       ": the quaternion q0 q1 q2 q3 is not of unit length; normalise it")
+                          .c_str());
+  ellipsoid_host::store(ellipsoid_host::quaternion(q), atom->quaternion[i]);
+  atom->rmass[i] = positive(error, values[12], "mass", id);
+  const ellipsoid::Vector3 axes = ellipsoid_host::vector(atom->shape[i]);
+  atom->volume[i] = ellipsoid::volume(axes);
+  atom->area[i] = ellipsoid::surface_area(axes);
+  atom->radius[i] = ellipsoid::bounding_radius(axes);
+  atom->density[i] = atom->rmass[i] / atom->volume[i];
+}
+
+void AtomVecGranularEllipsoid::data_vel(int i, char** values) {
+  AtomVecSuperquadric::data_vel(i, values);
+  ellipsoid_host::store(ellipsoid::angular_momentum(ellipsoid_host::vector(atom->omega[i]),
+                                                    ellipsoid_host::vector(atom->inertia[i]),
+                                                    ellipsoid_host::quaternion(atom->quaternion[i])),
+                        atom->angmom[i]);
+}
+
+void AtomVecGranularEllipsoid::pack_data(double** buffer) { pack_data(buffer, 0); }
+
+void AtomVecGranularEllipsoid::pack_data(double** buffer, int tag_offset) {
+  for (int i = 0; i < atom->nlocal; ++i) {
+    double* row = buffer[i];
+    row[0] = ubuf(atom->tag[i] + tag_offset).d;
+    row[1] = ubuf(atom->type[i]).d;
+    for (int k = 0; k < 3; ++k) {
+      row[2 + k] = atom->x[i][k];
+      row[5 + k] = atom->shape[i][k];
+      row[13 + k] = atom->inertia[i][k];
+    }
+    for (int k = 0; k < 4; ++k)
+      row[8 + k] = atom->quaternion[i][k];
+    row[12] = atom->rmass[i];
+    row[16] = ubuf((atom->image[i] & IMGMASK) - IMGMAX).d;
+    row[17] = ubuf((atom->image[i] >> IMGBITS & IMGMASK) - IMGMAX).d;
+    row[18] = ubuf((atom->image[i] >> IMG2BITS) - IMGMAX).d;
+  }
+}
+
+void AtomVecGranularEllipsoid::write_data(FILE* file, int count, double** buffer) {
+  for (int i = 0; i < count; ++i) {
+    const double* row = buffer[i];
+    std::fprintf(file, "%d %d", static_cast<int>(ubuf(row[0]).i), static_cast<int>(ubuf(row[1]).i));
+    for (int k = 2; k < data_columns; ++k)
+      std::fprintf(file, " %-1.17g", row[k]);
+    for (int k = data_columns; k < data_columns + image_columns; ++k)
+      std::fprintf(file, " %d", static_cast<int>(ubuf(row[k]).i));
+    std::fprintf(file, "\n");
+  }
+}

@@ -1,0 +1,33 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// atom_style granular/ellipsoid: one ellipsoid, smooth or multi-sphere, is one atom.
+#ifdef ATOM_CLASS
+AtomStyle(granular/ellipsoid,AtomVecGranularEllipsoid)
+#else
+#ifndef LMP_ATOM_VEC_GRANULAR_ELLIPSOID_H
+#define LMP_ATOM_VEC_GRANULAR_ELLIPSOID_H
+
+#include "atom_vec_superquadric.h"
+
+namespace LAMMPS_NS {
+
+/// An ellipsoid is a superquadric of blockiness 2: all arrays, their exchange between ranks and
+/// their restart are the host's (`shape` holds the semi-axes, `quaternion`, `inertia`, `angmom`,
+/// `volume`, `radius` of the bounding sphere). Data files have columns of their own.
+class AtomVecGranularEllipsoid : public AtomVecSuperquadric {
+public:
+  explicit AtomVecGranularEllipsoid(class LAMMPS* lmp);
+
+  /// Atoms section: id type x y z a b c q0 q1 q2 q3 mass I1 I2 I3 [image flags].
+  void data_atom(double* position, tagint image, char** values) override;
+  /// Velocities section: id vx vy vz omegax omegay omegaz.
+  void data_vel(int atom, char** values) override;
+  void pack_data(double** buffer) override;
+  void pack_data(double** buffer, int tag_offset) override;
+  void write_data(FILE* file, int count, double** buffer) override;
+};
+
+} // namespace LAMMPS_NS
+
+#endif
+#endif

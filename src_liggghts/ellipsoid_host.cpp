@@ -1,0 +1,115 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "ellipsoid_host.h"
+
+#include "fix_property_global.h"
+#include "lammps.h"
+
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+using namespace LAMMPS_NS;
+
+namespace ellipsoid_host {
+
+namespace {
+
+std::string readable(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+/// Table [type][type] of a global property, every entry finite and not negative.
+MatrixProperty* non_negative_per_type_pair(PropertyRegistry& registry, const char* name,
+                                           const char* caller) {
+  MatrixProperty* matrix = MODEL_PARAMS::createPerTypePairProperty(registry, name, caller);
+  for (int i = 1; i <= registry.max_type(); ++i)
+    for (int j = 1; j <= registry.max_type(); ++j) {
+      const double value = matrix->data[i][j];
+      if (std::isfinite(value) && value >= 0.0)
+        continue;
+      const std::string message =
+          std::string("property/global ") + name + " for types " + std::to_string(i) + " and " +
+          std::to_string(j) + " is " + readable(value) + ": " + caller +
+          " needs finite values >= 0 (1/time); correct the fix property/global";
+      registry.getLAMMPS()->error->all(FLERR, message.c_str());
+    }
+  return matrix;
+}
+
+} // namespace
+
+MatrixProperty* viscous_damping_normal(PropertyRegistry& registry, const char* caller, bool) {
+  return non_negative_per_type_pair(registry, "viscousDampingNormal", caller);
+}
+
+MatrixProperty* viscous_damping_tangential(PropertyRegistry& registry, const char* caller, bool) {
+  return non_negative_per_type_pair(registry, "viscousDampingTangential", caller);
+}
+
+ArgumentReader::ArgumentReader(Error* error, Fix* fix, int count, char** arguments, int first)
+    : error_(error), fix_(fix), count_(count), arguments_(arguments), index_(first) {}
+
+void ArgumentReader::complain(const std::string& message) const {
+  error_->fix_error(FLERR, fix_, message.c_str());
+  std::abort(); // not reached: fix_error ends the program
+}
+
+std::string ArgumentReader::keyword() { return arguments_[index_++]; }
+
+std::string ArgumentReader::word(const std::string& keyword) {
+  if (done())
+    complain("keyword '" + keyword + "' lacks a value at the end of the command; add it");
+  return arguments_[index_++];
+}
+
+double ArgumentReader::number(const std::string& keyword, double smallest, double largest) {
+  const std::string token = word(keyword);
+  char* end = nullptr;
+  errno = 0;
+  const double value = std::strtod(token.c_str(), &end);
+  const bool whole = !token.empty() && *end == '\0' && errno == 0 && std::isfinite(value);
+  if (whole && value >= smallest && value <= largest)
+    return value;
+  std::string range = "a finite number";
+  if (smallest > -HUGE_VAL)
+    range += " >= " + readable(smallest);
+  if (largest < HUGE_VAL)
+    range += " <= " + readable(largest);
+  complain("keyword '" + keyword + "' has the value '" + token + "', allowed is " + range);
+}
+
+double ArgumentReader::positive(const std::string& keyword) {
+  const double value = number(keyword, -HUGE_VAL, HUGE_VAL);
+  if (value <= 0.0)
+    complain("keyword '" + keyword + "' has the value '" + readable(value) +
+             "', allowed is a finite number > 0");
+  return value;
+}
+
+int ArgumentReader::integer(const std::string& keyword, int smallest, int largest) {
+  const std::string token = word(keyword);
+  char* end = nullptr;
+  errno = 0;
+  const long value = std::strtol(token.c_str(), &end, 10);
+  const bool whole = !token.empty() && *end == '\0' && errno == 0;
+  if (whole && value >= smallest && value <= largest)
+    return static_cast<int>(value);
+  complain("keyword '" + keyword + "' has the value '" + token + "', allowed is an integer from " +
+           std::to_string(smallest) + " to " + std::to_string(largest));
+}
+
+int ArgumentReader::choice(const std::string& keyword, const std::vector<std::string>& options) {
+  const std::string token = word(keyword);
+  std::string list;
+  for (std::size_t k = 0; k < options.size(); ++k) {
+    if (token == options[k])
+      return static_cast<int>(k);
+    list += (k ? ", '" : "'") + options[k] + "'";
+  }
+  complain("keyword '" + keyword + "' has the value '" + token + "', allowed is one of " + list);
+}
+
+} // namespace ellipsoid_host

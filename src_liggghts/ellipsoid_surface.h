@@ -1,0 +1,64 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// What the surface models of ellipsoids share.
+#ifndef ELLIPSOID_SURFACE_H_
+#define ELLIPSOID_SURFACE_H_
+
+#include "contact_models.h"
+
+#include "atom.h"
+#include "ellipsoid_contact_caller.h"
+#include "math_extra_liggghts_nonspherical.h"
+#include "surface_model_base.h"
+
+#include <string>
+
+namespace LIGGGHTS {
+namespace ContactModels {
+
+class EllipsoidSurface : public SurfaceModelBase {
+public:
+  EllipsoidSurface(LAMMPS* lmp, IContactHistorySetup* hsetup, class ContactModelBase* cmb,
+                   const char* name)
+      : SurfaceModelBase(lmp, hsetup, cmb), setup_(hsetup), name_(name) {}
+
+  inline void registerSettings(Settings&) {}
+  inline void postSettings(IContactHistorySetup*, ContactModelBase*) {}
+
+  // the earliest moment at which the caller, of which the host builds its own part first, is whole
+  inline void connectToProperties(PropertyRegistry&) {
+    caller_ = dynamic_cast<EllipsoidContactCaller*>(setup_);
+    if (!caller_)
+      error->all(FLERR, ("surface " + name_ +
+                         " works with pair_style gran/ellipsoid and fix wall/gran/ellipsoid only; "
+                         "use these, or another surface")
+                            .c_str());
+  }
+
+  inline bool checkSurfaceIntersect(SurfacesIntersectData& sidata) { return sidata.deltan >= 0.0; }
+
+  inline void surfacesIntersect(SurfacesIntersectData& sidata, ForceData&, ForceData&) {
+    // the host's wall overwrites radi with the radius of the sphere of equal volume
+    sidata.radi = caller_->curvature_radius_i;
+    if (!sidata.is_wall)
+      sidata.radj = caller_->curvature_radius_j;
+    MathExtraLiggghtsNonspherical::surfacesIntersectNonSpherical(sidata, atom->x);
+  }
+
+  inline void endSurfacesIntersect(SurfacesIntersectData&, TriMesh*, double* const) {}
+  inline void surfacesClose(SurfacesCloseData&, ForceData&, ForceData&) {}
+  inline void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
+  inline void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
+  inline void tally_pp(double, int, int, int) {}
+  inline void tally_pw(double, int, int, int) {}
+
+private:
+  IContactHistorySetup* setup_;
+  std::string name_;
+  EllipsoidContactCaller* caller_ = nullptr;
+};
+
+} // namespace ContactModels
+} // namespace LIGGGHTS
+
+#endif

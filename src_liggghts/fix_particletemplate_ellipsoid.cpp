@@ -1,0 +1,249 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "fix_particletemplate_ellipsoid.h"
+
+#include "atom.h"
+#include "ellipsoid_host.h"
+#include "ellipsoid_properties.h"
+#include "error.h"
+#include "fix_property_atom.h"
+#include "force.h"
+#include "memory.h"
+#include "modify.h"
+#include "random_park.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace LAMMPS_NS;
+using ellipsoid_host::store;
+
+namespace {
+
+/// The host's base class reads keywords of its own and wants a density: it is given what it needs
+/// (id, group, style, seed and a density that is never used).
+class BaseArguments {
+public:
+  BaseArguments(int narg, char** arg) : words_(arg, arg + std::min(narg, 4)) {
+    static char density[] = "density", constant[] = "constant", one[] = "1.0";
+    if (narg >= 4)
+      words_.insert(words_.end(), {density, constant, one});
+  }
+  int count() { return static_cast<int>(words_.size()); }
+  char** words() { return words_.data(); }
+
+private:
+  std::vector<char*> words_;
+};
+
+} // namespace
+
+int ParticleToInsertEllipsoid::check_near_set_x_v_omega(double* x, double* v, double* omega,
+                                                        double* quat,
+                                                        RegionNeighborList<interpolate_no>& near) {
+  if (has_orientation)
+    store(orientation, quat);
+  return ParticleToInsertSuperquadric::check_near_set_x_v_omega(x, v, omega, quat, near);
+}
+
+int ParticleToInsertEllipsoid::set_x_v_omega(double* x, double* v, double* omega, double* quat) {
+  if (has_orientation)
+    store(orientation, quat);
+  return ParticleToInsertSuperquadric::set_x_v_omega(x, v, omega, quat);
+}
+
+int ParticleToInsertEllipsoid::insert() {
+  const int inserted = ParticleToInsertSuperquadric::insert();
+  if (subspheres == 0)
+    return inserted;
+  for (const auto& value : {std::make_pair("subspheres", static_cast<double>(subspheres)),
+                            std::make_pair("spacing", static_cast<double>(spacing))}) {
+    auto* fix = static_cast<FixPropertyAtom*>(modify->find_fix_property(
+        value.first, "property/atom", "scalar", 0, 0, "fix particletemplate/ellipsoid"));
+    for (int i = atom->nlocal - inserted; i < atom->nlocal; ++i)
+      fix->vector_atom[i] = value.second;
+  }
+  return inserted;
+}
+
+FixParticletemplateEllipsoid::FixParticletemplateEllipsoid(LAMMPS* lmp, int narg, char** arg)
+    : FixTemplateSphere(lmp, BaseArguments(narg, arg).count(), BaseArguments(narg, arg).words()) {
+  if (!atom->superquadric_flag)
+    error->fix_error(FLERR, this, "needs particles with shape: use atom_style granular/ellipsoid");
+  delete pti;
+  pti = new ParticleToInsertEllipsoid(lmp);
+  parse(narg, arg);
+}
+
+FixParticletemplateEllipsoid::~FixParticletemplateEllipsoid() {
+  delete pti;
+  if (pti_list)
+    delete_ptilist();
+}
+
+/// What tells multi-sphere particles apart is stored per atom, in fixes that are made here once and
+/// go with the atoms to other ranks, ghosts and restart files.
+void FixParticletemplateEllipsoid::post_create() {
+  if (!stores_subspheres_)
+    return;
+  for (const char* name : {"subspheres", "spacing"}) {
+    if (modify->find_fix_property(name, "property/atom", "scalar", 0, 0, style, false))
+      continue;
+    const char* arguments[] = {name,  "all", "property/atom", name, "scalar",
+                               "yes", "yes", "no",            "0."};
+    modify->add_fix(9, const_cast<char**>(arguments));
+  }
+}
+
+void FixParticletemplateEllipsoid::parse(int narg, char** arg) {
+  ellipsoid_host::ArgumentReader reader(error, this, narg, arg, 4);
+  bool has_semiaxes = false, has_moments = false;
+  while (!reader.done()) {
+    const std::string keyword = reader.keyword();
+    if (keyword == "atom_type") {
+      atom_type = reader.integer(keyword, 1, atom->ntypes);
+    } else if (keyword == "semiaxes") {
+      for (double* axis : {&semiaxes_.x, &semiaxes_.y, &semiaxes_.z})
+        *axis = reader.positive(keyword);
+      has_semiaxes = true;
+    } else if (keyword == "density") {
+      density_ = reader.positive(keyword);
+    } else if (keyword == "mass") {
+      mass_ = reader.positive(keyword);
+    } else if (keyword == "inertia") {
+      for (double* moment :
+           {&principal_moments_.x, &principal_moments_.y, &principal_moments_.z})
+        *moment = reader.positive(keyword);
+      has_moments = true;
+    } else if (keyword == "orientation") {
+      planar_ = reader.choice(keyword, {"insert", "planar"}) == 1;
+    } else if (keyword == "subspheres") {
+      subspheres_ = reader.integer(keyword, 0, ellipsoid::largest_sphere_count);
+      stores_subspheres_ = true;
+    } else if (keyword == "spacing") {
+      const std::string word = reader.word(keyword);
+      try {
+        spacing_ = ellipsoid::sphere_spacing_from_word(word);
+      } catch (const std::invalid_argument& problem) {
+        reader.complain("keyword 'spacing': " + std::string(problem.what()));
+      }
+    } else if (keyword == "volume_limit") {
+      vol_limit = reader.positive(keyword);
+    } else {
+      reader.complain("unknown keyword '" + keyword +
+                      "', allowed are 'atom_type', 'semiaxes', 'density', 'mass', 'inertia', "
+                      "'orientation', 'subspheres', 'spacing', 'volume_limit'");
+    }
+  }
+  finish(has_semiaxes, has_moments);
+}
+
+void FixParticletemplateEllipsoid::finish(bool has_semiaxes, bool has_moments) {
+  if (!has_semiaxes)
+    error->fix_error(FLERR, this, "keyword 'semiaxes' is missing; add 'semiaxes a b c'");
+  if ((density_ > 0.0) == (mass_ > 0.0))
+    error->fix_error(FLERR, this,
+                     "exactly one of the keywords 'density' and 'mass' is needed; give one of them");
+  semiaxes_ *= force->cg(atom_type);
+  volume_expect = ellipsoid::volume(semiaxes_);
+  if (density_ > 0.0)
+    mass_ = density_ * volume_expect;
+  else
+    density_ = mass_ / volume_expect;
+  mass_expect = mass_;
+  bounding_radius_ = ellipsoid::bounding_radius(semiaxes_);
+  if (!has_moments)
+    principal_moments_ = ellipsoid::principal_moments(semiaxes_, mass_);
+  const ellipsoid::Vector3& m = principal_moments_;
+  if (m.x > m.y + m.z || m.y > m.x + m.z || m.z > m.x + m.y)
+    error->fix_error(FLERR, this,
+                     "keyword 'inertia': one moment is larger than the sum of the two others, which "
+                     "no rigid body has; correct the values");
+  if (subspheres_ > 0)
+    check_multisphere();
+}
+
+void FixParticletemplateEllipsoid::check_multisphere() const {
+  try {
+    if (semiaxes_.y != semiaxes_.z)
+      throw std::invalid_argument("the semi-axes b and c differ, multi-spheres need b = c; use "
+                                  "equal ones, or 'surface smooth' without 'subspheres'");
+    ellipsoid::make_multisphere(semiaxes_.x, semiaxes_.y, subspheres_, spacing_);
+  } catch (const std::invalid_argument& problem) {
+    error->fix_error(FLERR, const_cast<FixParticletemplateEllipsoid*>(this),
+                     ("keyword 'subspheres': " + std::string(problem.what())).c_str());
+  }
+}
+
+void FixParticletemplateEllipsoid::fill(ParticleToInsertEllipsoid& p) const {
+  p.atom_type = atom_type;
+  p.radius_ins[0] = p.r_bound_ins = bounding_radius_;
+  p.density_ins = density_;
+  p.volume_ins = ellipsoid::volume(semiaxes_);
+  p.area_ins = ellipsoid::surface_area(semiaxes_);
+  p.mass_ins = mass_;
+  store(semiaxes_, p.shape_ins);
+  store(principal_moments_, p.inertia_ins);
+  p.blockiness_ins[0] = p.blockiness_ins[1] = 2.0;
+  store(ellipsoid::Vector3{}, p.x_ins[0]);
+  store(ellipsoid::Vector3{}, p.v_ins);
+  store(ellipsoid::Vector3{}, p.omega_ins);
+  p.groupbit = groupbit;
+  p.subspheres = subspheres_;
+  p.spacing = spacing_;
+}
+
+void FixParticletemplateEllipsoid::randomize(ParticleToInsertEllipsoid& p) {
+  fill(p);
+  p.has_orientation = planar_;
+  if (planar_) {
+    const double half_angle = M_PI * (random_insertion->uniform() - 0.5);
+    p.orientation = {std::cos(half_angle), 0.0, 0.0, std::sin(half_angle)};
+  }
+}
+
+void FixParticletemplateEllipsoid::randomize_single() {
+  randomize(static_cast<ParticleToInsertEllipsoid&>(*pti));
+}
+
+void FixParticletemplateEllipsoid::init_ptilist(int n_random_max, const bool,
+                                                FixPropertyAtom* const) {
+  if (pti_list)
+    error->fix_error(FLERR, this, "is used by two insertions at once; define one template for each");
+  n_pti_max = n_random_max;
+  pti_list = static_cast<ParticleToInsert**>(
+      memory->smalloc(static_cast<bigint>(sizeof(ParticleToInsert*)) * n_pti_max, "pti_list"));
+  for (int i = 0; i < n_pti_max; ++i)
+    pti_list[i] = new ParticleToInsertEllipsoid(lmp);
+}
+
+void FixParticletemplateEllipsoid::randomize_ptilist(int n_random, int distribution_groupbit,
+                                                     int distorder) {
+  for (int i = 0; i < n_random; ++i) {
+    randomize(static_cast<ParticleToInsertEllipsoid&>(*pti_list[i]));
+    pti_list[i]->groupbit = groupbit | distribution_groupbit;
+    pti_list[i]->distorder = distorder;
+  }
+}
+
+void FixParticletemplateEllipsoid::direct_set_ptlist(const int, const void* const, const int,
+                                                     const int) {
+  error->fix_error(FLERR, this,
+                   "cannot be filled from a file of particles; use fix insert/pack, insert/stream, "
+                   "insert/rate/region or insert/drop");
+}
+
+unsigned int FixParticletemplateEllipsoid::generate_hash() {
+  unsigned int hash = 0, start = static_cast<unsigned int>(seed_orig) * 420001U;
+  add_hash_value(atom_type, start, hash);
+  for (const double value : {semiaxes_.x, semiaxes_.y, semiaxes_.z, mass_, principal_moments_.x,
+                             principal_moments_.y, principal_moments_.z})
+    add_hash_value(value, start, hash);
+  for (const int value :
+       {static_cast<int>(planar_), subspheres_, static_cast<int>(spacing_)})
+    add_hash_value(value, start, hash);
+  return hash;
+}

@@ -1,0 +1,88 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Free rotation of a rigid body, eqs. (12) and (13) of Markauskas et al. 2010, with quaternions.
+#pragma once
+
+#include "vector3.h"
+
+namespace ellipsoid {
+
+/// Angular velocity (rad/time, space frame) of a body with principal moments `inertia`
+/// (mass length^2, about the body's x, y, z) and angular momentum `momentum` (space frame).
+inline Vector3 angular_velocity(const Vector3& momentum, const Vector3& inertia,
+                                const Quaternion& orientation) {
+  const Rotation3 r = rotation(orientation);
+  const Vector3 m = r.to_body(momentum);
+  return r.to_space({m.x / inertia.x, m.y / inertia.y, m.z / inertia.z});
+}
+
+/// Angular momentum (space frame) that belongs to an angular velocity (space frame).
+inline Vector3 angular_momentum(const Vector3& omega, const Vector3& inertia,
+                                const Quaternion& orientation) {
+  const Rotation3 r = rotation(orientation);
+  const Vector3 w = r.to_body(omega);
+  return r.to_space({w.x * inertia.x, w.y * inertia.y, w.z * inertia.z});
+}
+
+namespace detail {
+
+/// Turns about one body axis by the angle whose half has the tangent `half`: the rational (Cayley)
+/// rotation, exact in norm, of second order in the angle. `p`, `q` are the momentum's components
+/// along the two other axes in cyclic order; `a` is the quaternion's component of the turned axis,
+/// `b`, `c` those of the others in the same order.
+inline void turn(double half, double& p, double& q, double& w, double& a, double& b, double& c) {
+  const double square = half * half, scale = 1.0 / (1.0 + square);
+  const double cosine = (1.0 - square) * scale, sine = 2.0 * half * scale;
+  const double p_new = cosine * p + sine * q, q_new = cosine * q - sine * p;
+  p = p_new;
+  q = q_new;
+  const double s = std::sqrt(scale);
+  const double w_new = s * (w - half * a), a_new = s * (a + half * w);
+  const double b_new = s * (b + half * c), c_new = s * (c - half * b);
+  w = w_new;
+  a = a_new;
+  b = b_new;
+  c = c_new;
+}
+
+} // namespace detail
+
+/// Advances the orientation of a torque-free body by `time_step`: symmetric splitting into turns
+/// about the body's axes (as Miller et al. 2002, J. Chem. Phys. 116, 8649, order z y x y z), each
+/// with its constant component of the angular momentum. Second order, time-reversible; angular
+/// momentum and the quaternion's norm are kept exactly.
+/// @param[in] momentum angular momentum (space frame), constant
+/// @param[in] inertia  principal moments about the body's x, y, z
+inline Quaternion rotate_freely(const Quaternion& orientation, const Vector3& momentum,
+                                const Vector3& inertia, double time_step) {
+  Quaternion q = orientation;
+  Vector3 m = rotation(q).to_body(momentum);
+  const double quarter = 0.25 * time_step, half = 0.5 * time_step;
+  const Vector3 rate{1.0 / inertia.x, 1.0 / inertia.y, 1.0 / inertia.z};
+  detail::turn(quarter * m.z * rate.z, m.x, m.y, q.w, q.z, q.x, q.y);
+  detail::turn(quarter * m.y * rate.y, m.z, m.x, q.w, q.y, q.z, q.x);
+  detail::turn(half * m.x * rate.x, m.y, m.z, q.w, q.x, q.y, q.z);
+  detail::turn(quarter * m.y * rate.y, m.z, m.x, q.w, q.y, q.z, q.x);
+  detail::turn(quarter * m.z * rate.z, m.x, m.y, q.w, q.z, q.x, q.y);
+  return normalized(q); // removes rounding only
+}
+
+/// Moment of inertia about the space z axis, and how far the nearest principal axis is from it.
+struct PlanarInertia {
+  double about_z;     ///< (mass length^2)
+  double misaligned;  ///< 1 - cos^2 of the angle between z and the nearest principal axis
+};
+
+inline PlanarInertia planar_inertia(const Quaternion& orientation, const Vector3& inertia) {
+  const Vector3 z = rotation(orientation).to_body({0.0, 0.0, 1.0});
+  const double xx = z.x * z.x, yy = z.y * z.y, zz = z.z * z.z;
+  const double largest = xx > yy ? (xx > zz ? xx : zz) : (yy > zz ? yy : zz);
+  return {inertia.x * xx + inertia.y * yy + inertia.z * zz, 1.0 - largest};
+}
+
+/// Turns a body about the space z axis by `angle` (rad), second order in it, norm kept.
+inline Quaternion rotate_about_z(const Quaternion& q, double angle) {
+  return normalized(Quaternion{1.0, 0.0, 0.0, 0.5 * angle} * q);
+}
+
+} // namespace ellipsoid
