@@ -17,6 +17,8 @@ void add_contacts_command(CLI::App&, int&);
 void add_energy_command(CLI::App&, int&);
 void add_summary_command(CLI::App&, int&);
 void add_render_command(CLI::App&, int&);
+void add_render3d_command(CLI::App&, int&);
+void add_paraview_command(CLI::App&, int&);
 void add_template_command(CLI::App&, int&);
 void add_plot_command(CLI::App&, int&);
 void add_report_command(CLI::App&, int&);
@@ -33,6 +35,8 @@ const CommandRow command_rows[] = {
     {"energy", add_energy_command},
     {"summary", add_summary_command},
     {"render", add_render_command},
+    {"render3d", add_render3d_command},
+    {"paraview", add_paraview_command},
     {"template", add_template_command},
     {"plot", add_plot_command},
     {"report", add_report_command},

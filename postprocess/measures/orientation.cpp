@@ -40,8 +40,10 @@ std::vector<double> angle_rose(const std::vector<Vector3>& directions, int bins)
   std::vector<double> rose(static_cast<std::size_t>(bins), 0.0);
   for (const Vector3& n : directions) {
     const auto bin = static_cast<std::size_t>(plane_angle(n) / 180.0 * bins);
-    rose[std::min(bin, rose.size() - 1)] += 1.0 / static_cast<double>(directions.size());
+    rose[std::min(bin, rose.size() - 1)] += 1.0;
   }
+  for (double& share : rose)
+    share /= std::max(1.0, static_cast<double>(directions.size()));
   return rose;
 }
 

@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetReader.h>
+#include <vtkLogger.h>
 #include <vtkObject.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
@@ -29,13 +30,22 @@ bool ends_with(const std::string& text, const std::string& ending) {
 /// VTK would print many lines of its own about a broken file; the error here is one line.
 class QuietVtk {
  public:
-  QuietVtk() : m_was(vtkObject::GetGlobalWarningDisplay()) { vtkObject::GlobalWarningDisplayOff(); }
-  ~QuietVtk() { vtkObject::SetGlobalWarningDisplay(m_was); }
+  QuietVtk()
+      : m_was(vtkObject::GetGlobalWarningDisplay()),
+        m_verbosity(vtkLogger::GetCurrentVerbosityCutoff()) {
+    vtkObject::GlobalWarningDisplayOff();
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  }
+  ~QuietVtk() {
+    vtkObject::SetGlobalWarningDisplay(m_was);
+    vtkLogger::SetStderrVerbosity(m_verbosity);
+  }
   QuietVtk(const QuietVtk&) = delete;
   QuietVtk& operator=(const QuietVtk&) = delete;
 
  private:
   int m_was;
+  vtkLogger::Verbosity m_verbosity;
 };
 
 template <class Reader> vtkSmartPointer<vtkPointSet> read_with(const std::string& path) {
