@@ -69,9 +69,24 @@ def choices(text):
     return words
 
 
-def keywords(text):
-    """Every word that a style accepts, as far as the sources show."""
-    words = choices(text)
+def words_of_parsers(text, sources):
+    """Words that functions NAME_from_word() of the kernel read."""
+    words = set()
+    for function in set(re.findall(r"\b(\w+_from_word)\(", text)):
+        bodies = [body for source in sources.values()
+                  for body in re.findall(rf"\b{function}\([^)]*\) \{{\n(.*?)^\}}", source,
+                                         re.MULTILINE | re.DOTALL)]
+        words |= set(re.findall(rf"== {WORD}", "\n".join(bodies)))
+        if not words:
+            raise SystemExit(f"the words that {function}() reads were not found; compare with == "
+                             f"in its body")
+    return words
+
+
+def keywords(header, sources):
+    """Every word that the style of this header accepts, as far as the sources show."""
+    text = sources_of(header, sources)
+    words = choices(text) | words_of_parsers(text, sources)
     for pattern in (rf"\bkeyword == {WORD}", rf"{WORD} == keyword\b",
                     rf"strcmp\(\s*\w*arg\w*\[[^\]]*\]\s*,\s*{WORD}\s*\)",
                     rf"\.register\w*Setting(?:<[^>]*>)?\(\s*{WORD}",
@@ -125,7 +140,7 @@ def check(sources, pages):
         if name not in pages:
             complaints.append(f"{name}: missing; the style is registered in {header}")
         else:
-            complaints += check_page(name, pages[name], keywords(sources_of(header, sources)))
+            complaints += check_page(name, pages[name], keywords(header, sources))
     prefixes = tuple(kind + "_" for kind in KINDS.values())
     complaints += [f"{name}: no such style is registered" for name in sorted(pages)
                    if name.startswith(prefixes) and name not in registered]
@@ -144,6 +159,7 @@ def check_the_check(sources, pages):
         "style added": ({**sources, "fix_new.h": "FixStyle(new/style,FixNewStyle)\n"}, pages),
         "model added": ({**sources, "normal_model_new.h": "NORMAL_MODEL(NEW,new/law,63)\n"}, pages),
         "keyword of a fix": edited(fix, "planar", "plane"),
+        "word read by the kernel": edited("fix_particletemplate_ellipsoid.md", "minimax_area", "x"),
         "choice of a fix": edited(fix, "yes", "y"),
         "setting of a model": edited(model, "direction", "x"),
         "option of a setting": edited(model, "velocity", "x"),
@@ -180,7 +196,8 @@ def main():
     if "ELLIPSOID_SOURCE" not in os.environ:
         raise SystemExit("ELLIPSOID_SOURCE is not set; set it to the root of the repository")
     folder = pathlib.Path(os.environ["ELLIPSOID_SOURCE"]) / "src_liggghts"
-    sources = {f.name: f.read_text() for f in folder.iterdir() if f.suffix in (".h", ".cpp")}
+    sources = {str(f.relative_to(folder)): f.read_text() for f in sorted(folder.rglob("*"))
+               if f.suffix in (".h", ".cpp") and f.parent.name in ("src_liggghts", "kernel")}
     pages = {f.name: f.read_text() for f in (folder / "doc").glob("*.md")}
     complaints = check(sources, pages)
     if not complaints:
@@ -190,7 +207,7 @@ def main():
     else:
         print("ELLIPSOID_BIN is not set: the scripts of the pages are not run")
     registered = styles(sources)
-    count = sum(len(keywords(sources_of(header, sources))) for header in registered.values())
+    count = sum(len(keywords(header, sources)) for header in registered.values())
     print(f"{len(registered)} styles, {count} keywords, {len(pages)} pages")
     for complaint in complaints:
         print(complaint, file=sys.stderr)
