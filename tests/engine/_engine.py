@@ -161,7 +161,8 @@ def run(script, ranks=1, timeout=300, check=True, name="in.run"):
     Path(name).write_text(script)
     command = ["mpirun", "-np", str(ranks)] if ranks > 1 else []
     command += [str(LIGGGHTS), "-in", name, "-log", f"log.{name}"]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=timeout)
+    done = subprocess.run(command, capture_output=True, text=True, errors="backslashreplace",
+                          timeout=timeout)
     outcome = Outcome(done.returncode, done.stdout + done.stderr)
     if check and outcome.code != 0:
         raise AssertionError(f"the engine failed on {name}:\n{outcome.text[-3000:]}")
