@@ -14,15 +14,9 @@ from pathlib import Path
 import numpy as np
 
 from _engine import Particle, Setup, dump, read_dump, run, vectors
+from _hertz import hertz
 
 SPEED, STEPS_PER_CONTACT = 0.2, 2000
-
-
-def hertz(mass, radius, modulus, speed):
-    """Largest overlap (m) and contact time (s)."""
-    overlap = (15.0 * mass * speed ** 2 / (16.0 * modulus * math.sqrt(radius))) ** 0.4
-    factor = 2.0 * math.sqrt(math.pi) * math.gamma(1.4) / math.gamma(0.9)
-    return overlap, factor * overlap / speed
 
 
 def collide(axes_i, axes_j, reduced_radius, name):
