@@ -8,7 +8,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 # a tenth of the paper's pile, dropped from a third of its height: comes to rest within a minute
-readonly particles=120 drop_height=0.05 settling_time=2 time_step=5e-6
+readonly particles=100 drop_height=0.05 settling_time=3 time_step=5e-6
 output=$repository/out/quickstart
 
 run_piling() {
@@ -34,7 +34,7 @@ Where everything is
   input script    $repository/inputs/piling.in  (its header explains every variable)
 
 What to try next
-  another seed    build/bin/liggghts -in inputs/piling.in -var seed 2 -var particles 120 -var y0 0.05 -var settle 2 -var dt 5e-6 -var out out/seed2
+  another seed    build/bin/liggghts -in inputs/piling.in -var seed 2 -var particles 100 -var y0 0.05 -var settle 3 -var dt 5e-6 -var out out/seed2
   multi-spheres   the same with  -var surface multisphere -var subspheres 5
   the paper's     build/bin/liggghts -in inputs/piling.in -var dt 5e-6 -var out out/paper   (1000 particles, about an hour)
   on 2 cores      mpirun -np 2 build/bin/liggghts -in inputs/piling.in ...
