@@ -7,7 +7,7 @@ start_seconds=$SECONDS
 
 build_packages=(build-essential cmake ninja-build ccache patch xz-utils ca-certificates
   openmpi-bin libopenmpi-dev libeigen3-dev libcli11-dev libfmt-dev nlohmann-json3-dev zlib1g-dev
-  libhwy-dev libcairo2-dev pkg-config libgtest-dev libbenchmark-dev python3 python3-numpy)
+  libcairo2-dev pkg-config libgtest-dev python3 python3-numpy)
 vtk_packages=(libvtk9-dev)
 
 # stage TEXT: says what begins now, and how long everything before took

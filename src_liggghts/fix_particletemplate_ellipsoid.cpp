@@ -7,12 +7,15 @@
 #include "error.h"
 #include "fix_property_atom.h"
 #include "force.h"
+#include "math_extra_liggghts.h"
 #include "memory.h"
 #include "modify.h"
 #include "random_park.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -23,20 +26,39 @@ using ellipsoid_host::store;
 
 namespace {
 
+constexpr long smallest_seed = 10007; // the host wants primes above 10000
+constexpr long largest_seed = 2000000011; // and adds a little for each rank
+
 /// The host's base class reads keywords of its own and wants a density: it is given what it needs
 /// (id, group, style, seed and a density that is never used).
 class BaseArguments {
 public:
-  BaseArguments(int narg, char** arg) : words_(arg, arg + std::min(narg, 4)) {
+  BaseArguments(LAMMPS* lmp, int narg, char** arg) : words_(arg, arg + std::min(narg, 4)) {
     static char density[] = "density", constant[] = "constant", one[] = "1.0";
-    if (narg >= 4)
-      words_.insert(words_.end(), {density, constant, one});
+    check_seed(lmp->error, arg[0], narg >= 4 ? arg[3] : "");
+    words_.insert(words_.end(), {density, constant, one});
   }
   int count() { return static_cast<int>(words_.size()); }
   char** words() { return words_.data(); }
 
 private:
   std::vector<char*> words_;
+
+  /// The host's generator takes primes only, and its own message does not say whose seed it was.
+  static void check_seed(Error* error, const char* id, const char* token) {
+    char* end = nullptr;
+    errno = 0;
+    const long seed = std::strtol(token, &end, 10);
+    const bool whole = end != token && *end == '\0' && errno == 0;
+    if (whole && seed >= smallest_seed && seed <= largest_seed &&
+        MathExtraLiggghts::isPrime(static_cast<int>(seed)))
+      return;
+    error->all(FLERR, (std::string("Fix particletemplate/ellipsoid (id ") + id + "): the seed is '" +
+                       token + "', allowed is a prime number from " +
+                       std::to_string(smallest_seed) + " to " + std::to_string(largest_seed) +
+                       ", for example 15485863")
+                          .c_str());
+  }
 };
 
 } // namespace
@@ -70,7 +92,8 @@ int ParticleToInsertEllipsoid::insert() {
 }
 
 FixParticletemplateEllipsoid::FixParticletemplateEllipsoid(LAMMPS* lmp, int narg, char** arg)
-    : FixTemplateSphere(lmp, BaseArguments(narg, arg).count(), BaseArguments(narg, arg).words()) {
+    : FixTemplateSphere(lmp, BaseArguments(lmp, narg, arg).count(),
+                        BaseArguments(lmp, narg, arg).words()) {
   if (!atom->superquadric_flag)
     error->fix_error(FLERR, this, "needs particles with shape: use atom_style granular/ellipsoid");
   delete pti;

@@ -8,8 +8,10 @@
 #include "error.h"
 #include "force.h"
 #include "multisphere_contact_loop.h"
+#include "neighbor.h"
 #include "smooth_contact_loop.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -113,6 +115,8 @@ void PairGranEllipsoid::init_style() {
     error->all(FLERR, "pair_style gran/ellipsoid needs particles with shape: use atom_style "
                       "granular/ellipsoid");
   PairGran::init_style();
+  // the host takes whole rows of the history out of pages and does not look whether they fit
+  neighbor->pgsize = std::max(neighbor->pgsize, 2 * neighbor->oneatom * std::max(1, dnum()));
   if (store_multicontact_data_)
     error->all(FLERR, "pair_style gran/ellipsoid does not work with fix multicontact/halfspace; "
                       "remove that fix");
