@@ -37,6 +37,13 @@ struct QuaternionColumns {
   explicit operator bool() const { return w && x && y && z; }
 };
 
+/// Throws for the first of several columns that is missing.
+void require_all(const Frame& frame, const std::vector<std::string>& names,
+                 const std::string& purpose) {
+  for (const std::string& name : names)
+    frame.required(name, purpose);
+}
+
 /// A place for the message about a bad value in a row of the frame.
 InputError bad_value(const Frame& frame, std::size_t row, const std::string& expected,
                      const std::string& found) {
@@ -58,8 +65,7 @@ class Positions {
         m_scaled = vector_columns(frame, std::string("x") + suffix, std::string("y") + suffix,
                                   std::string("z") + suffix);
     if (!m_plain && !m_scaled)
-      for (const char* name : {"x", "y", "z"})
-        frame.required(name, "the position of the particles");
+      require_all(frame, {"x", "y", "z"}, "the position of the particles");
   }
   Vector3 at(std::size_t row) const {
     if (m_plain)
@@ -84,8 +90,9 @@ class Sizes {
         m_shape(vector_columns(frame, "shapex", "shapey", "shapez")),
         m_radius(column(frame, {"radius"})), m_diameter(column(frame, {"diameter"})) {
     if (m_given.empty() && !m_shape && !m_radius && !m_diameter)
-      frame.required("shapex", "the semi-axes of the particles; or a column \"radius\", or give "
-                               "--semiaxes a b c");
+      require_all(
+          frame, {"shapex", "shapey", "shapez"},
+          "the semi-axes of the particles; or a column \"radius\", or give --semiaxes a b c");
   }
   Vector3 at(std::size_t row) const {
     const Vector3 s = m_scale * raw(row);
@@ -121,8 +128,8 @@ class Orientations {
     const bool is_sphere = semiaxes.x == semiaxes.y && semiaxes.y == semiaxes.z;
     if (!m_q) {
       if (!is_sphere)
-        for (const char* name : {"quat1", "quat2", "quat3", "quat4"})
-          m_frame.required(name, "the orientation, quat1 (scalar part) to quat4");
+        require_all(m_frame, {"quat1", "quat2", "quat3", "quat4"},
+                    "the orientation, quat1 (scalar part) to quat4");
       return {};
     }
     const Quaternion q{(*m_q.w)[row], (*m_q.x)[row], (*m_q.y)[row], (*m_q.z)[row]};
