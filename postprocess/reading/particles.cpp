@@ -13,6 +13,9 @@
 namespace ellipsoid::post {
 namespace {
 
+/// Beyond these the squares and products of lengths overflow or vanish; no unit system needs them.
+constexpr double smallest_size = 1.0e-30, largest_length = 1.0e30;
+
 using Column = const std::vector<double>*;
 
 /// The columns of one vector or tensor; null pointers where they are missing.
@@ -96,8 +99,11 @@ class Sizes {
   }
   Vector3 at(std::size_t row) const {
     const Vector3 s = m_scale * raw(row);
-    if (!(s.x > 0.0 && s.y > 0.0 && s.z > 0.0))
-      throw bad_value(m_frame, row, "semi-axes > 0", fmt::format("{} {} {}", s.x, s.y, s.z));
+    for (const double axis : {s.x, s.y, s.z})
+      if (!(axis > smallest_size && axis < largest_length))
+        throw bad_value(m_frame, row,
+                        fmt::format("semi-axes > 0 (and {} to {})", smallest_size, largest_length),
+                        fmt::format("{} {} {}", s.x, s.y, s.z));
     return s;
   }
 
@@ -185,8 +191,9 @@ void add_chain(ParticleSet& set, Particle& particle, const MultisphereTemplate& 
 class CommonColumns {
  public:
   explicit CommonColumns(const Frame& frame)
-      : m_position(frame), m_id(column(frame, {"id"})), m_type(column(frame, {"type"})),
-        m_mass(column(frame, {"mass"})), m_velocity(vector_columns(frame, "vx", "vy", "vz")),
+      : m_frame(frame), m_position(frame), m_id(column(frame, {"id"})),
+        m_type(column(frame, {"type"})), m_mass(column(frame, {"mass"})),
+        m_velocity(vector_columns(frame, "vx", "vy", "vz")),
         m_spin(vector_columns(frame, "omegax", "omegay", "omegaz")) {}
 
   bool has_velocities() const { return static_cast<bool>(m_velocity); }
@@ -198,6 +205,10 @@ class CommonColumns {
     p.type = m_type ? static_cast<int>((*m_type)[row]) : 1;
     p.mass = m_mass ? (*m_mass)[row] : 0.0;
     p.centre = m_position.at(row);
+    for (const double x : {p.centre.x, p.centre.y, p.centre.z})
+      if (!(std::abs(x) < largest_length))
+        throw bad_value(m_frame, row, fmt::format("a position within +-{}", largest_length),
+                        fmt::format("{}", x));
     if (m_velocity)
       p.velocity = m_velocity.at(row);
     if (m_spin)
@@ -206,6 +217,7 @@ class CommonColumns {
   }
 
  private:
+  const Frame& m_frame;
   Positions m_position;
   Column m_id, m_type, m_mass;
   VectorColumns m_velocity, m_spin;

@@ -283,7 +283,7 @@ TEST(Particles, errors_name_column_row_and_range) {
        {"id x y z quat1 shapex shapey shapez", "id x y z quat4 shapex shapey shapez"})
     EXPECT_NE(particle_error(columns, "1 0 0 0 1 3 2 1").find("orientation"), std::string::npos);
   EXPECT_EQ(particle_error("id x y z radius", "1 0 0 0 -2"),
-            "test.dump:10: frame 1: expected semi-axes > 0, found -2 -2 -2");
+            "test.dump:10: frame 1: expected semi-axes > 0 (and 1e-30 to 1e+30), found -2 -2 -2");
   EXPECT_NE(particle_error("id x y z shapex shapey shapez", "1 0 0 0 2 1 1").find("quat1"),
             std::string::npos);
   const std::string columns = "id x y z quat1 quat2 quat3 quat4 shapex shapey shapez f_subspheres";
