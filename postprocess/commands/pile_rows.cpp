@@ -91,6 +91,15 @@ void append_rest(Row& row, const RestCheck& rest) {
   row.push_back({"largest_speed_m_per_s", "largest speed", "m/s", rest.largest_speed});
 }
 
+void append_rose(Row& row, const std::vector<double>& rose) {
+  const double width = 180.0 / static_cast<double>(rose.size());
+  for (std::size_t k = 0; k < rose.size(); ++k) {
+    const double begin = width * static_cast<double>(k);
+    row.push_back({fmt::format("rose_{:g}_to_{:g}_deg", begin, begin + width),
+                   fmt::format("share from {:g} to {:g} deg", begin, begin + width), "", rose[k]});
+  }
+}
+
 std::vector<PlaneWall> walls_of(const PileOptions& options) {
   std::vector<PlaneWall> walls = {{{0.0, options.floor, 0.0}, {0.0, 1.0, 0.0}}};
   if (options.wall)
@@ -100,19 +109,22 @@ std::vector<PlaneWall> walls_of(const PileOptions& options) {
 
 std::string digits_warning(const Frame& frame, const ParticleSet& set) {
   constexpr std::size_t looked_at = 200;
+  bool is_six_digits = true, is_single = true;
   double farthest = 0.0;
   for (std::size_t k = 0; k < std::min(looked_at, set.particles.size()); ++k)
     for (const double x : {set.particles[k].centre.x, set.particles[k].centre.y}) {
-      if (std::strtod(fmt::format("{:.6g}", x).c_str(), nullptr) != x)
-        return "";
+      is_six_digits = is_six_digits && std::strtod(fmt::format("{:.6g}", x).c_str(), nullptr) == x;
+      is_single = is_single && static_cast<double>(static_cast<float>(x)) == x;
       farthest = std::max(farthest, std::abs(x));
     }
-  if (!(farthest > 0.0))
+  if (!(is_six_digits || is_single) || !(farthest > 0.0))
     return "";
-  const double error = 0.5 * std::pow(10.0, std::floor(std::log10(farthest)) - 5.0);
-  return fmt::format("{}: positions have six digits, an error of {:.1e} b: contacts and overlaps "
-                     "from them are blurred; use `dump_modify ID format \"... %.12g ...\"`",
-                     frame.place.file, error / set.mean_smallest_axis());
+  const double error =
+      is_single ? farthest * 6e-8 : 0.5 * std::pow(10.0, std::floor(std::log10(farthest)) - 5.0);
+  const double b = mean_smallest_axis(set, all_members(set));
+  return fmt::format("{}: positions have {}, an error of {:.1e} b: contacts and overlaps from them "
+                     "are blurred; use a text dump with `dump_modify ID format \"... %.16g ...\"`",
+                     frame.place.file, is_single ? "single precision" : "six digits", error / b);
 }
 
 } // namespace ellipsoid::post

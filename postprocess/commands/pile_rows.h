@@ -20,6 +20,9 @@ void append_coordination(Row& row, const Coordination& z, double mean_b);
 void append_distribution(Row& row, const Coordination& z);
 void append_rest(Row& row, const RestCheck& rest);
 
+/// Shares per bin of an angle from 0 to 180 degrees.
+void append_rose(Row& row, const std::vector<double>& rose);
+
 /// Wall and floor as planes.
 std::vector<PlaneWall> walls_of(const PileOptions& options);
 

@@ -10,17 +10,35 @@ void add_pile_command(CLI::App&, int&);
 void add_repose_command(CLI::App&, int&);
 void add_porosity_command(CLI::App&, int&);
 void add_coordination_command(CLI::App&, int&);
+void add_heap_command(CLI::App&, int&);
+void add_bed_command(CLI::App&, int&);
+void add_orientation_command(CLI::App&, int&);
+void add_contacts_command(CLI::App&, int&);
+void add_energy_command(CLI::App&, int&);
 void add_summary_command(CLI::App&, int&);
 void add_render_command(CLI::App&, int&);
+void add_render3d_command(CLI::App&, int&);
+void add_paraview_command(CLI::App&, int&);
 void add_template_command(CLI::App&, int&);
 void add_plot_command(CLI::App&, int&);
 void add_report_command(CLI::App&, int&);
 
 const CommandRow command_rows[] = {
-    {"pile", add_pile_command},         {"repose", add_repose_command},
-    {"porosity", add_porosity_command}, {"coordination", add_coordination_command},
-    {"summary", add_summary_command},   {"render", add_render_command},
-    {"template", add_template_command}, {"plot", add_plot_command},
+    {"pile", add_pile_command},
+    {"repose", add_repose_command},
+    {"porosity", add_porosity_command},
+    {"coordination", add_coordination_command},
+    {"heap", add_heap_command},
+    {"bed", add_bed_command},
+    {"orientation", add_orientation_command},
+    {"contacts", add_contacts_command},
+    {"energy", add_energy_command},
+    {"summary", add_summary_command},
+    {"render", add_render_command},
+    {"render3d", add_render3d_command},
+    {"paraview", add_paraview_command},
+    {"template", add_template_command},
+    {"plot", add_plot_command},
     {"report", add_report_command},
 };
 const unsigned command_count = sizeof(command_rows) / sizeof(command_rows[0]);

@@ -118,13 +118,8 @@ std::vector<ArcInterval> within_one_turn(const std::vector<ArcInterval>& interva
   return result;
 }
 
-/// Takes away lenses with a chord below this share of the smaller outline: two outlines that
-/// only touch seem to cross by rounding, on one of them or both. The lens's share of the area
-/// is below 1e-18.
-void drop_touches(std::vector<ArcInterval>& intervals, const PlaneEllipse& i,
-                  const PlaneEllipse& j) {
-  constexpr double shortest_chord = 1.0e-6;
-  const double limit = shortest_chord * std::min(i.bounding_radius(), j.bounding_radius());
+/// Takes away lenses with a chord below `limit`.
+void drop_touches(std::vector<ArcInterval>& intervals, const PlaneEllipse& i, double limit) {
   intervals.erase(std::remove_if(intervals.begin(), intervals.end(),
                                  [&](const ArcInterval& arc) {
                                    return arc.end - arc.begin < 0.5 &&
@@ -149,7 +144,7 @@ std::vector<ArcInterval> covered_arcs(const PlaneEllipse& i, const PlaneEllipse&
   if (f.size() < same_outline)
     return j_wins ? std::vector<ArcInterval>{{0.0, two_pi}} : std::vector<ArcInterval>{};
   std::vector<ArcInterval> covered = negative_intervals(f);
-  drop_touches(covered, i, j);
+  drop_touches(covered, i, shortest_chord * std::min(i.bounding_radius(), j.bounding_radius()));
   return within_one_turn(covered);
 }
 
@@ -161,7 +156,9 @@ std::vector<ArcInterval> arcs_beyond_line(const PlaneEllipse& i, const Point& no
   f.s1 = -normal.y() * i.vy;
   if (std::abs(f.k) >= std::hypot(f.c1, f.s1))
     return f.k < 0.0 ? std::vector<ArcInterval>{{0.0, two_pi}} : std::vector<ArcInterval>{};
-  return within_one_turn(negative_intervals(f));
+  std::vector<ArcInterval> beyond = negative_intervals(f);
+  drop_touches(beyond, i, shortest_chord * i.bounding_radius());
+  return within_one_turn(beyond);
 }
 
 void join(std::vector<ArcInterval>& intervals) {

@@ -7,6 +7,11 @@
 
 namespace ellipsoid::post {
 
+/// Chords below this share of the (smaller) outline's size do not count as crossings: outlines
+/// that only touch seem to cross by rounding, one of them or both. The cut-off lens has a share
+/// of the area below 1e-18.
+constexpr double shortest_chord = 1.0e-6;
+
 /// Part of an outline's parameter range, begin < end, within [0, 2 pi].
 struct ArcInterval {
   double begin = 0.0, end = 0.0;

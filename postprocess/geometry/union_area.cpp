@@ -70,6 +70,8 @@ bool chord(const PlaneEllipse& shape, const Edge& edge, ArcInterval& inside) {
   if (closest >= 1.0)
     return false;
   const double half = std::sqrt((1.0 - closest) / e.squaredNorm());
+  if (2.0 * half * (edge.end - edge.begin).norm() < shortest_chord * shape.bounding_radius())
+    return false;
   inside = {std::max(0.0, middle - half), std::min(1.0, middle + half)};
   return inside.end > inside.begin;
 }

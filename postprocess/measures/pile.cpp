@@ -29,7 +29,16 @@ class DisjointSets {
   std::vector<std::size_t> m_parent;
 };
 
-std::vector<std::size_t> main_cluster(const ParticleSet& set, const PileOptions& options,
+double mean_z(const ParticleSet& set) {
+  double sum = 0.0;
+  for (const Particle& p : set.particles)
+    sum += p.centre.z;
+  return sum / static_cast<double>(set.particles.size());
+}
+
+} // namespace
+
+std::vector<std::size_t> pile_members(const ParticleSet& set, const PileOptions& options,
                                       double gap) {
   const std::size_t count = set.particles.size();
   DisjointSets clusters(count);
@@ -58,21 +67,13 @@ std::vector<std::size_t> main_cluster(const ParticleSet& set, const PileOptions&
   return members;
 }
 
-double mean_z(const ParticleSet& set) {
-  double sum = 0.0;
-  for (const Particle& p : set.particles)
-    sum += p.centre.z;
-  return sum / static_cast<double>(set.particles.size());
-}
-
-} // namespace
-
 Pile find_pile(const ParticleSet& set, const PileOptions& options) {
   if (set.particles.empty())
     throw InputError("a pile needs at least one particle, the frame has none");
-  const double mean_b = set.mean_smallest_axis();
   const double section = options.section.value_or(mean_z(set));
-  std::vector<std::size_t> members = main_cluster(set, options, options.cluster_gap * mean_b);
+  const double gap = options.cluster_gap * mean_smallest_axis(set, all_members(set));
+  std::vector<std::size_t> members = pile_members(set, options, gap);
+  const double mean_a = mean_largest_axis(set, members), mean_b = mean_smallest_axis(set, members);
   double out_of_plane = 0.0;
   for (const std::size_t i : members)
     out_of_plane = std::max(out_of_plane, std::abs(set.particles[i].centre.z - section));
@@ -82,16 +83,8 @@ Pile find_pile(const ParticleSet& set, const PileOptions& options) {
   UpperEnvelope surface(shapes, options.floor);
   const double left = options.wall ? *options.wall : surface.left(), right = surface.right();
   const std::size_t strays = set.particles.size() - members.size();
-  return {std::move(members),
-          strays,
-          section,
-          out_of_plane,
-          std::move(shapes),
-          std::move(surface),
-          left,
-          right,
-          set.mean_largest_axis(),
-          mean_b};
+  return {std::move(members), strays, section, out_of_plane, std::move(shapes),
+          std::move(surface), left,   right,   mean_a,       mean_b};
 }
 
 } // namespace ellipsoid::post

@@ -39,6 +39,11 @@ struct Pile {
   double mean_a = 0.0, mean_b = 0.0; ///< largest and smallest semi-axis, means (length)
 };
 
+/// Indices of the particles that belong to the pile, ascending.
+/// @param[in] gap particles this close belong together (length)
+std::vector<std::size_t> pile_members(const ParticleSet& set, const PileOptions& options,
+                                      double gap);
+
 /// The pile: the connected cluster of particles that touches the wall (the largest if several
 /// do; without a wall the largest cluster of all) and its outlines and free surface.
 /// Throws InputError when there are no particles.

@@ -11,7 +11,7 @@ RestCheck check_rest(const ParticleSet& set, const std::vector<std::size_t>& mem
   constexpr double share_of_fall = 0.01;
   RestCheck result;
   result.is_known = set.has_velocities;
-  result.speed_limit = share_of_fall * std::sqrt(gravity * set.mean_smallest_axis());
+  result.speed_limit = share_of_fall * std::sqrt(gravity * mean_smallest_axis(set, members));
   for (const std::size_t i : members) {
     const Particle& p = set.particles[i];
     const double spin = norm(p.angular_velocity), speed = norm(p.velocity);

@@ -23,7 +23,7 @@ struct SurfaceMesh {
   std::vector<CellValues> cell_values;
 };
 
-/// VTK XML PolyData, ASCII with all digits.
+/// VTK XML PolyData, compressed, for little-endian machines.
 std::string vtp_text(const SurfaceMesh& mesh);
 /// STL, ASCII.
 std::string stl_text(const SurfaceMesh& mesh);

@@ -8,8 +8,6 @@ namespace ellipsoid::post {
 namespace {
 
 constexpr double pi = 3.141592653589793238462643;
-constexpr int meridians = 32;          ///< corners of a circle about the x axis
-constexpr double arc_step = pi / 24.0; ///< angle between points of the outline on one sphere
 
 /// A point of the outline above the x axis.
 struct OutlinePoint {
@@ -17,18 +15,19 @@ struct OutlinePoint {
 };
 
 /// The outline turned about the x axis; its first and last points lie on the axis.
-SurfaceMesh turned(const std::vector<OutlinePoint>& outline) {
+SurfaceMesh turned(const std::vector<OutlinePoint>& outline, const MeshFineness& fineness) {
+  const auto meridians = static_cast<std::size_t>(fineness.meridians);
   SurfaceMesh mesh;
   const std::size_t rings = outline.size() - 2;
   mesh.points.push_back({outline.front().x, 0.0, 0.0});
   for (std::size_t k = 1; k <= rings; ++k)
-    for (int m = 0; m < meridians; ++m) {
-      const double angle = 2.0 * pi * m / meridians;
+    for (std::size_t m = 0; m < meridians; ++m) {
+      const double angle = 2.0 * pi * static_cast<double>(m) / static_cast<double>(meridians);
       mesh.points.push_back({outline[k].x, outline[k].distance * std::cos(angle),
                              outline[k].distance * std::sin(angle)});
     }
   mesh.points.push_back({outline.back().x, 0.0, 0.0});
-  const auto at = [](std::size_t ring, std::size_t m) {
+  const auto at = [meridians](std::size_t ring, std::size_t m) {
     return 1 + ring * meridians + m % meridians;
   };
   const std::size_t last = mesh.points.size() - 1;
@@ -45,12 +44,12 @@ SurfaceMesh turned(const std::vector<OutlinePoint>& outline) {
 
 /// Points on one cut-off sphere from its left to its right cutting plane, both included.
 void append_arc(std::vector<OutlinePoint>& outline, double centre, double radius, double begin,
-                double end) {
+                double end, int arcs) {
   const auto angle_of = [&](double x) {
     return std::acos(std::fmax(-1.0, std::fmin(1.0, (x - centre) / radius)));
   };
   const double from = angle_of(begin), to = angle_of(end); // from > to
-  const int parts = 1 + static_cast<int>((from - to) / arc_step);
+  const int parts = 1 + static_cast<int>((from - to) / pi * arcs);
   for (int k = 0; k <= parts; ++k) {
     const double angle = from + (to - from) * k / parts;
     const OutlinePoint p{centre + radius * std::cos(angle), radius * std::sin(angle)};
@@ -91,19 +90,19 @@ std::string spheres_csv(const MultisphereTemplate& chain) {
   return text;
 }
 
-SurfaceMesh outline_of_revolution(const MultisphereTemplate& chain) {
+SurfaceMesh outline_of_revolution(const MultisphereTemplate& chain, const MeshFineness& fineness) {
   std::vector<OutlinePoint> outline;
   for (const CutOffSphere& part : cut_off_spheres(chain)) {
     const auto k = static_cast<std::size_t>(part.sphere);
-    append_arc(outline, chain.centres[k], chain.radii[k], part.begin, part.end);
+    append_arc(outline, chain.centres[k], chain.radii[k], part.begin, part.end, fineness.arcs);
   }
-  return turned(outline);
+  return turned(outline, fineness);
 }
 
-SurfaceMesh ellipsoid_surface(const Vector3& semiaxes) {
+SurfaceMesh ellipsoid_surface(const Vector3& semiaxes, const MeshFineness& fineness) {
   std::vector<OutlinePoint> outline;
-  append_arc(outline, 0.0, 1.0, -1.0, 1.0);
-  SurfaceMesh mesh = turned(outline);
+  append_arc(outline, 0.0, 1.0, -1.0, 1.0, fineness.arcs);
+  SurfaceMesh mesh = turned(outline, fineness);
   for (Vector3& p : mesh.points)
     p = {semiaxes.x * p.x, semiaxes.y * p.y, semiaxes.z * p.z};
   return mesh;

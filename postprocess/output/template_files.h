@@ -17,10 +17,17 @@ std::string molecule_file(const MultisphereTemplate& chain);
 /// Columns index, x_m, y_m, z_m, radius_m.
 std::string spheres_csv(const MultisphereTemplate& chain);
 
+/// How finely surfaces are divided.
+struct MeshFineness {
+  int meridians = 32; ///< corners of a circle about the body's x axis
+  int arcs = 24;      ///< chords of the outline per half circle
+};
+
 /// The outer surface of the union of spheres as triangles: the outline turned about the x axis.
-SurfaceMesh outline_of_revolution(const MultisphereTemplate& chain);
+SurfaceMesh outline_of_revolution(const MultisphereTemplate& chain,
+                                  const MeshFineness& fineness = {});
 
 /// The surface of an ellipsoid about the origin, axes along x, y, z.
-SurfaceMesh ellipsoid_surface(const Vector3& semiaxes);
+SurfaceMesh ellipsoid_surface(const Vector3& semiaxes, const MeshFineness& fineness = {});
 
 } // namespace ellipsoid::post

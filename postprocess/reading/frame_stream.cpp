@@ -1,6 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "frame_stream.h"
 
+#include "byte_source.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
@@ -91,8 +93,11 @@ NumberedName numbered(const std::string& path) {
           path.substr(significant, end - significant)};
 }
 
-/// Whether the number in a file's name is the time step of its first frame.
+/// Whether the number in a file's name is the time step of its first frame (VTK files do not
+/// tell: yes).
 bool names_its_step(const std::string& path, const std::string& number) {
+  if (is_vtk_name(path))
+    return true;
   std::string_view line;
   LineReader lines(open_bytes(path), path);
   return lines.next(line) && line == "ITEM: TIMESTEP" && lines.next(line) && line == number;
@@ -144,7 +149,7 @@ bool FrameStream::next(Frame& frame) {
         clear_progress();
         return false;
       }
-      m_reader = std::make_unique<TextDumpReader>(m_files[m_next_file++]);
+      m_reader = open_frames(m_files[m_next_file++]);
     }
     if (m_reader->next(frame)) {
       ++m_frames;

@@ -1,8 +1,9 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #pragma once
 
-#include "text_dump.h"
+#include "frame_reader.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -45,7 +46,7 @@ class FrameStream {
 
   std::vector<std::string> m_files;
   std::size_t m_next_file = 0, m_frames = 0;
-  std::unique_ptr<TextDumpReader> m_reader;
+  std::unique_ptr<FrameReader> m_reader;
   std::uint64_t m_total_bytes = 0, m_bytes_before = 0;
   int m_shown_percent = -1;
 };

@@ -121,7 +121,8 @@ class Orientations {
     const bool is_sphere = semiaxes.x == semiaxes.y && semiaxes.y == semiaxes.z;
     if (!m_q) {
       if (!is_sphere)
-        m_frame.required("quat1", "the orientation, quat1 (scalar part) to quat4");
+        for (const char* name : {"quat1", "quat2", "quat3", "quat4"})
+          m_frame.required(name, "the orientation, quat1 (scalar part) to quat4");
       return {};
     }
     const Quaternion q{(*m_q.w)[row], (*m_q.x)[row], (*m_q.y)[row], (*m_q.z)[row]};
@@ -284,18 +285,24 @@ ParticleSet host_multispheres(const Frame& frame, const std::vector<double>& bod
 double Particle::largest_axis() const { return std::max({semiaxes.x, semiaxes.y, semiaxes.z}); }
 double Particle::smallest_axis() const { return std::min({semiaxes.x, semiaxes.y, semiaxes.z}); }
 
-double ParticleSet::mean_smallest_axis() const {
+double mean_smallest_axis(const ParticleSet& set, const std::vector<std::size_t>& members) {
   double sum = 0.0;
-  for (const auto& p : particles)
-    sum += p.smallest_axis();
-  return particles.empty() ? 0.0 : sum / static_cast<double>(particles.size());
+  for (const std::size_t i : members)
+    sum += set.particles[i].smallest_axis();
+  return members.empty() ? 0.0 : sum / static_cast<double>(members.size());
 }
 
-double ParticleSet::mean_largest_axis() const {
+double mean_largest_axis(const ParticleSet& set, const std::vector<std::size_t>& members) {
   double sum = 0.0;
-  for (const auto& p : particles)
-    sum += p.largest_axis();
-  return particles.empty() ? 0.0 : sum / static_cast<double>(particles.size());
+  for (const std::size_t i : members)
+    sum += set.particles[i].largest_axis();
+  return members.empty() ? 0.0 : sum / static_cast<double>(members.size());
+}
+
+std::vector<std::size_t> all_members(const ParticleSet& set) {
+  std::vector<std::size_t> members(set.particles.size());
+  std::iota(members.begin(), members.end(), std::size_t{0});
+  return members;
 }
 
 ParticleSet particles_of(const Frame& frame, const ParticleOptions& options) {

@@ -37,12 +37,14 @@ struct ParticleSet {
   std::vector<Particle> particles;
   std::vector<Sphere> spheres; ///< of all multi-sphere particles, a particle's own in one run
   bool has_velocities = false;
-
-  /// Mean over particles of the smallest semi-axis (length): the b of tables.
-  double mean_smallest_axis() const;
-  /// Mean over particles of the largest semi-axis (length): the a of tables.
-  double mean_largest_axis() const;
 };
+
+/// Mean over some particles of the smallest semi-axis (length): the b of tables.
+double mean_smallest_axis(const ParticleSet& set, const std::vector<std::size_t>& members);
+/// Mean over some particles of the largest semi-axis (length): the a of tables.
+double mean_largest_axis(const ParticleSet& set, const std::vector<std::size_t>& members);
+/// The indices of all particles.
+std::vector<std::size_t> all_members(const ParticleSet& set);
 
 /// How columns are understood where the file does not say it.
 struct ParticleOptions {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "byte_source.h"
-#include "frame.h"
+#include "frame_reader.h"
 
 #include <memory>
 #include <string>
@@ -18,16 +18,13 @@ namespace ellipsoid::post {
 /// number (columns in `text_columns` excepted), the frame has as many rows as it announces.
 /// Anything else throws InputError that names file, line, frame and what was expected; the
 /// frames given before stay valid.
-class TextDumpReader {
+class TextDumpReader : public FrameReader {
  public:
   TextDumpReader(std::unique_ptr<ByteSource> source, const std::string& name);
   explicit TextDumpReader(const std::string& path);
 
-  /// Fills the next whole frame (its memory is used again); false at the end of the file.
-  bool next(Frame& frame);
-
-  /// Bytes on disk consumed so far.
-  std::uint64_t consumed() const { return m_lines.consumed(); }
+  bool next(Frame& frame) override;
+  std::uint64_t consumed() const override { return m_lines.consumed(); }
 
  private:
   void read_header(Frame& frame);

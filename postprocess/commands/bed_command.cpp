@@ -1,0 +1,111 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "bed.h"
+#include "pile_commands.h"
+#include "upright_options.h"
+
+#include <memory>
+
+namespace ellipsoid::post {
+namespace {
+
+struct BedOptions {
+  FrameOptions frames;
+  std::string up = "z", profile;
+  std::vector<double> box, cylinder;
+  int planes = 200, slices = 10;
+};
+
+BedRegion region_of(const BedOptions& options) {
+  BedRegion region;
+  if (!options.box.empty()) {
+    const auto& b = options.box;
+    region = {BedShape::box, b[0], b[1], b[2], b[3], 0.0, 0.0, 0.0, b[4], b[5]};
+  } else if (!options.cylinder.empty()) {
+    const auto& c = options.cylinder;
+    region = {BedShape::cylinder, 0.0, 0.0, 0.0, 0.0, c[0], c[1], c[2], c[3], c[4]};
+  } else {
+    throw InputError("give the region: --box x0 x1 y0 y1 z0 z1 or --cylinder x y radius z0 z1");
+  }
+  return region;
+}
+
+Row bed_row(const BedOptions& options, const ChosenFrame& chosen) {
+  const BedPorosity p =
+      bed_porosity(upright(chosen.set, options.up), region_of(options), options.planes);
+  Row row = frame_row(chosen);
+  row.push_back({"porosity", "porosity", "", p.porosity});
+  row.push_back({"porosity_error", "error of the integration", "", p.error});
+  row.push_back({"total_volume_m3", "volume of the region", "m3", p.total_volume});
+  row.push_back({"solid_volume_m3", "volume of the particles in it", "m3", p.solid_volume});
+  return row;
+}
+
+std::vector<Row> profile_rows(const BedOptions& options, const ChosenFrame& chosen) {
+  const ParticleSet set = upright(chosen.set, options.up);
+  const BedRegion region = region_of(options);
+  const bool is_radial = options.profile == "radius";
+  if (is_radial && region.shape != BedShape::cylinder)
+    throw InputError("a radial profile needs --cylinder");
+  std::vector<Row> rows;
+  for (const BedSlice& slice : is_radial
+                                   ? radial_profile(set, region, options.slices, options.planes)
+                                   : height_profile(set, region, options.slices, options.planes)) {
+    rows.push_back(frame_row(chosen));
+    rows.back().push_back({"begin_m", is_radial ? "from radius" : "from height", "m", slice.begin});
+    rows.back().push_back({"end_m", is_radial ? "to radius" : "to height", "m", slice.end});
+    rows.back().push_back({"porosity", "porosity", "", slice.porosity});
+  }
+  return rows;
+}
+
+int run(const BedOptions& options) {
+  Table table{"Porosity of a bed", {}};
+  const int code = for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
+    if (options.profile.empty()) {
+      table.rows.push_back(bed_row(options, chosen));
+      return;
+    }
+    for (Row& row : profile_rows(options, chosen))
+      table.rows.push_back(std::move(row));
+  });
+  write_table(options.frames, table);
+  return code;
+}
+
+} // namespace
+
+void add_bed_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<BedOptions>();
+  CLI::App* command =
+      program.add_subcommand("bed", "porosity of a 3D bed in a box or cylinder, and its profile");
+  command->footer(
+      "Porosity: 1 - V_solid / V. V_solid: exact area of the union of all sections with the region "
+      "in planes of constant height, each point counted once, summed over --planes planes in the "
+      "middles of equal layers. The stated error is the difference to the same sum over half of "
+      "the planes (the true one is smaller, it falls with the square of the planes' distance). "
+      "Profiles: --profile height (layers) or radius (rings of a cylinder).");
+  add_frame_options(*command, options->frames);
+  add_up_option(*command, options->up);
+  auto* box = command->add_option("--box", options->box, "x0 x1 y0 y1 z0 z1")->expected(6);
+  command->add_option("--cylinder", options->cylinder, "x y radius z0 z1")
+      ->expected(5)
+      ->excludes(box);
+  command->add_option("--profile", options->profile, "height or radius")
+      ->check(CLI::IsMember({"height", "radius"}));
+  command->add_option("--slices", options->slices, "layers or rings of the profile")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command->add_option("--planes", options->planes, "planes of the integration")
+      ->check(CLI::Range(8, 100000))
+      ->capture_default_str();
+  command->callback([options, &exit_code] {
+    try {
+      exit_code = run(*options);
+    } catch (const InputError& error) {
+      report_error(error.what());
+      exit_code = exit_bad_data;
+    }
+  });
+}
+
+} // namespace ellipsoid::post

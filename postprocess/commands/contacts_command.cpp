@@ -1,0 +1,131 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "contact_forces.h"
+#include "contacts.h"
+#include "frame_stream.h"
+#include "orientation.h"
+#include "pile_commands.h"
+#include "pile_rows.h"
+
+#include <fmt/format.h>
+#include <memory>
+
+namespace ellipsoid::post {
+namespace {
+
+struct ContactsOptions {
+  FrameOptions frames;
+  bool is_local = false;
+  double gap = 0.0;
+  int bins = 18;
+  std::vector<std::string> normal_columns, force_columns;
+};
+
+void append_fabric(Row& row, const std::vector<Vector3>& normals, int bins) {
+  const PrincipalAxes fabric = mean_dyad(normals);
+  row.push_back({"contacts", "contacts", "", static_cast<std::int64_t>(normals.size())});
+  row.push_back({"fabric_1", "fabric tensor, largest eigenvalue", "", fabric.values[0]});
+  row.push_back({"fabric_2", "fabric tensor, middle eigenvalue", "", fabric.values[1]});
+  row.push_back({"fabric_3", "fabric tensor, smallest eigenvalue", "", fabric.values[2]});
+  row.push_back({"fabric_direction_x", "main direction: x", "", fabric.direction.x});
+  row.push_back({"fabric_direction_y", "main direction: y", "", fabric.direction.y});
+  row.push_back({"fabric_direction_z", "main direction: z", "", fabric.direction.z});
+  append_rose(row, angle_rose(normals, bins));
+}
+
+/// From positions, with the engine's kernel.
+Row geometry_row(const ContactsOptions& options, const ChosenFrame& chosen) {
+  const double gap = options.gap * mean_smallest_axis(chosen.set, all_members(chosen.set));
+  warn_of_digits(chosen);
+  std::vector<Vector3> normals;
+  for (const Contact& contact : find_contacts(chosen.set, gap).contacts)
+    normals.push_back(contact.normal);
+  Row row = frame_row(chosen);
+  append_fabric(row, normals, options.bins);
+  return row;
+}
+
+/// From a dump local of the engine.
+Row local_row(const ContactsOptions& options, const std::string& run, const Frame& frame) {
+  Row row = {{"run", "run", "", run}, {"timestep", "time step", "", frame.timestep}};
+  if (!options.normal_columns.empty())
+    append_fabric(row, vectors_of(frame, options.normal_columns, true), options.bins);
+  if (options.force_columns.empty())
+    return row;
+  const ForceStatistics f = force_statistics(vectors_of(frame, options.force_columns, false));
+  row.push_back({"forces", "forces", "", static_cast<std::int64_t>(f.count)});
+  row.push_back({"mean_force_N", "mean force", "N", f.mean});
+  row.push_back({"largest_force_N", "largest force", "N", f.largest});
+  row.push_back({"strong_share", "share of forces above the mean", "", f.strong_share});
+  row.push_back({"strong_load_share", "their share of the sum", "", f.strong_load_share});
+  for (std::size_t k = 0; k < f.distribution.size(); ++k)
+    row.push_back({fmt::format("density_at_{:.2f}", 0.25 * (static_cast<double>(k) + 0.5)),
+                   fmt::format("P(f/<f>) at {:.3f}", 0.25 * (static_cast<double>(k) + 0.5)), "",
+                   f.distribution[k]});
+  return row;
+}
+
+int run_local(const ContactsOptions& options) {
+  if (options.normal_columns.empty() && options.force_columns.empty())
+    throw InputError("--local needs --normal-columns, --force-columns or both");
+  Table table{"Contacts", {}};
+  int code = exit_good;
+  for (const Run& run : runs_of(options.frames.runs, RunGrouping::automatic)) {
+    FrameStream stream(run.files);
+    Frame frame, last;
+    bool has_last = false;
+    try {
+      while (stream.next(frame)) {
+        std::swap(frame, last);
+        has_last = true;
+      }
+    } catch (const InputError& error) {
+      report_error(error.what());
+      code = exit_bad_data;
+    }
+    if (has_last)
+      table.rows.push_back(local_row(options, run.name, last));
+  }
+  write_table(options.frames, table);
+  return code;
+}
+
+} // namespace
+
+void add_contacts_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<ContactsOptions>();
+  CLI::App* command = program.add_subcommand(
+      "contacts", "fabric tensor, rose of contact normals, distribution of forces");
+  command->footer(
+      "Fabric tensor: <n n> over contact normals n (eigenvalues add up to 1; 1/3 each: isotropic "
+      "in "
+      "space). Without --local the contacts are recomputed from positions with the engine's "
+      "kernel. With --local the files are dump local lists, the last frame is used, and columns "
+      "are named: "
+      "--normal-columns NX NY NZ, --force-columns FX FY FZ. Strong forces: above the mean force "
+      "<f>; P(f/<f>): probability density in bins 0.25 wide.");
+  add_frame_options(*command, options->frames);
+  command->add_flag("--local", options->is_local, "the files are contact lists (dump local)");
+  command->add_option("--normal-columns", options->normal_columns, "of a contact list")
+      ->expected(3);
+  command->add_option("--force-columns", options->force_columns, "of a contact list")->expected(3);
+  command->add_option("--contact-gap", options->gap, "particles this close (in b) touch")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command->add_option("--bins", options->bins, "bins of the rose")
+      ->check(CLI::Range(1, 360))
+      ->capture_default_str();
+  command->callback([options, &exit_code] {
+    try {
+      exit_code = options->is_local
+                      ? run_local(*options)
+                      : run_pile_command(options->frames, "Contacts", [&](const ChosenFrame& f) {
+                          return geometry_row(*options, f);
+                        });
+    } catch (const InputError& error) {
+      report_error(error.what());
+      exit_code = exit_bad_data;
+    }
+  });
+}
+
+} // namespace ellipsoid::post

@@ -1,0 +1,177 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "space_picture.h"
+
+#include "height_map.h"
+#include "quaternion_of_matrix.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ellipsoid::post {
+namespace {
+
+constexpr int rays_per_side = 3; ///< of a pixel
+constexpr double radians = 3.141592653589793238462643 / 180.0;
+
+/// The nearest body behind each ray.
+struct DepthBuffer {
+  std::size_t width = 0, height = 0;
+  std::vector<double> depth; ///< towards the camera (length)
+  std::vector<std::int32_t> owner;
+  std::vector<float> light; ///< from 0 to 1
+
+  DepthBuffer(std::size_t w, std::size_t h)
+      : width(w), height(h), depth(w * h, -std::numeric_limits<double>::infinity()),
+        owner(w * h, -1), light(w * h, 0.0f) {}
+};
+
+/// The set in the camera's frame: x to the right, y up, z towards the camera.
+ParticleSet in_camera_frame(const ParticleSet& set, const SpaceView& view) {
+  const double azimuth = view.azimuth_deg * radians, elevation = view.elevation_deg * radians;
+  const Vector3 to_camera{std::cos(azimuth) * std::cos(elevation),
+                          std::sin(azimuth) * std::cos(elevation), std::sin(elevation)};
+  const Vector3 right{-std::sin(azimuth), std::cos(azimuth), 0.0};
+  const Vector3 up = cross(to_camera, right);
+  const auto seen = [&](const Vector3& v) {
+    return Vector3{dot(right, v), dot(up, v), dot(to_camera, v)};
+  };
+  const Quaternion turn =
+      quaternion_of({seen({1.0, 0.0, 0.0}), seen({0.0, 1.0, 0.0}), seen({0.0, 0.0, 1.0})});
+  ParticleSet result = set;
+  for (Particle& p : result.particles) {
+    p.centre = seen(p.centre);
+    p.orientation = turn * p.orientation;
+  }
+  for (Sphere& s : result.spheres)
+    s.centre = seen(s.centre);
+  return result;
+}
+
+/// Camera coordinates to rays.
+struct Screen {
+  double left = 0.0, top = 0.0, scale = 1.0; ///< scale: rays per length
+  double x(std::size_t i) const { return left + (static_cast<double>(i) + 0.5) / scale; }
+  double y(std::size_t j) const { return top - (static_cast<double>(j) + 0.5) / scale; }
+};
+
+Screen screen_for(const ParticleSet& seen, const DepthBuffer& buffer, double zoom) {
+  double x0 = 1e300, x1 = -1e300, y0 = 1e300, y1 = -1e300;
+  for (const Particle& p : seen.particles) {
+    const double reach = p.largest_axis();
+    x0 = std::min(x0, p.centre.x - reach);
+    x1 = std::max(x1, p.centre.x + reach);
+    y0 = std::min(y0, p.centre.y - reach);
+    y1 = std::max(y1, p.centre.y + reach);
+  }
+  constexpr double filled = 0.94; // of the picture
+  const double width = static_cast<double>(buffer.width),
+               height = static_cast<double>(buffer.height);
+  Screen screen;
+  screen.scale = zoom * filled * std::min(width / (x1 - x0), height / (y1 - y0));
+  screen.left = 0.5 * (x0 + x1) - 0.5 * width / screen.scale;
+  screen.top = 0.5 * (y0 + y1) + 0.5 * height / screen.scale;
+  return screen;
+}
+
+/// Brightness of a surface with unit normal n in the camera's frame: a lamp over the left
+/// shoulder, a weak one at the camera, some light from everywhere.
+double brightness(const Vector3& n) {
+  const Vector3 lamp = normalized(Vector3{-0.5, 0.7, 0.8});
+  return 0.30 + 0.50 * std::max(0.0, dot(n, lamp)) + 0.22 * std::max(0.0, n.z);
+}
+
+/// Draws one body: `top(x, y, z)` gives its nearest point, `normal(point)` its outward normal.
+template <class Top, class Normal>
+void draw_body(DepthBuffer& buffer, const Screen& screen, const Vector3& centre, double reach,
+               std::size_t owner, const Top& top, const Normal& normal) {
+  const auto clamped = [](double k, std::size_t count) {
+    return static_cast<std::size_t>(std::clamp(k, 0.0, static_cast<double>(count)));
+  };
+  const std::size_t i0 = clamped((centre.x - reach - screen.left) * screen.scale, buffer.width);
+  const std::size_t i1 = clamped((centre.x + reach - screen.left) * screen.scale + 1, buffer.width);
+  const std::size_t j0 = clamped((screen.top - centre.y - reach) * screen.scale, buffer.height);
+  const std::size_t j1 = clamped((screen.top - centre.y + reach) * screen.scale + 1, buffer.height);
+  double z = 0.0;
+  for (std::size_t j = j0; j < j1; ++j)
+    for (std::size_t i = i0; i < i1; ++i) {
+      const std::size_t ray = j * buffer.width + i;
+      if (!top(screen.x(i), screen.y(j), z) || z <= buffer.depth[ray])
+        continue;
+      buffer.depth[ray] = z;
+      buffer.owner[ray] = static_cast<std::int32_t>(owner);
+      buffer.light[ray] =
+          static_cast<float>(brightness(normal(Vector3{screen.x(i), screen.y(j), z})));
+    }
+}
+
+void draw_particle(DepthBuffer& buffer, const Screen& screen, const ParticleSet& set,
+                   std::size_t index) {
+  const Particle& p = set.particles[index];
+  if (p.is_smooth()) {
+    const Vector3& s = p.semiaxes;
+    const SymmetricMatrix3 m = rotated_diagonal(rotation(p.orientation), 1.0 / (s.x * s.x),
+                                                1.0 / (s.y * s.y), 1.0 / (s.z * s.z));
+    draw_body(
+        buffer, screen, p.centre, p.largest_axis(), index,
+        [&](double x, double y, double& z) { return top_of_ellipsoid(p, x, y, z); },
+        [&](const Vector3& point) { return normalized(m * (point - p.centre)); });
+  }
+  for (std::size_t k = p.first_sphere; k < p.first_sphere + p.sphere_count; ++k) {
+    const Sphere& s = set.spheres[k];
+    draw_body(
+        buffer, screen, s.centre, s.radius, index,
+        [&](double x, double y, double& z) { return top_of_sphere(s, x, y, z); },
+        [&](const Vector3& point) { return (1.0 / s.radius) * (point - s.centre); });
+  }
+}
+
+/// Colour of one ray; where the neighbour to the right or below shows another particle there is a
+/// dark line.
+Colour ray_colour(const DepthBuffer& buffer, const std::vector<Colour>& colours, std::size_t i,
+                  std::size_t j) {
+  const std::size_t ray = j * buffer.width + i;
+  const std::int32_t owner = buffer.owner[ray];
+  const bool is_edge = (i + 1 < buffer.width && buffer.owner[ray + 1] != owner) ||
+                       (j + 1 < buffer.height && buffer.owner[ray + buffer.width] != owner);
+  if (is_edge)
+    return {0.12, 0.13, 0.15};
+  if (owner < 0)
+    return {1.0, 1.0, 1.0};
+  const Colour& c = colours[static_cast<std::size_t>(owner)];
+  const double light = buffer.light[ray];
+  return {c.red * light, c.green * light, c.blue * light};
+}
+
+} // namespace
+
+PixelImage draw_space(const ParticleSet& upright, const std::vector<Colour>& colours,
+                      const SpaceView& view) {
+  if (upright.particles.empty())
+    throw InputError("there are no particles to show");
+  PixelImage image;
+  image.width = static_cast<std::size_t>(view.width);
+  image.height = static_cast<std::size_t>(view.height);
+  DepthBuffer buffer(rays_per_side * image.width, rays_per_side * image.height);
+  const ParticleSet seen = in_camera_frame(upright, view);
+  const Screen screen = screen_for(seen, buffer, view.zoom);
+  for (std::size_t k = 0; k < seen.particles.size(); ++k)
+    draw_particle(buffer, screen, seen, k);
+  image.samples.reserve(3 * image.width * image.height);
+  constexpr double share = 1.0 / (rays_per_side * rays_per_side);
+  for (std::size_t row = 0; row < image.height; ++row)
+    for (std::size_t column = 0; column < image.width; ++column) {
+      Colour sum;
+      for (std::size_t ray = 0; ray < rays_per_side * rays_per_side; ++ray) {
+        const Colour c = ray_colour(buffer, colours, rays_per_side * column + ray % rays_per_side,
+                                    rays_per_side * row + ray / rays_per_side);
+        sum = {sum.red + share * c.red, sum.green + share * c.green, sum.blue + share * c.blue};
+      }
+      for (const double sample : {sum.red, sum.green, sum.blue})
+        image.samples.push_back(
+            static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(sample, 0.0, 1.0))));
+    }
+  return image;
+}
+
+} // namespace ellipsoid::post

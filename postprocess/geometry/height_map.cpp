@@ -1,0 +1,121 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "height_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace ellipsoid::post {
+namespace {
+
+/// More columns than this would fill the memory.
+constexpr double most_columns = 1.0e8;
+
+} // namespace
+
+ParticleSet turned_upright(const ParticleSet& set, UpAxis up) {
+  ParticleSet result = set;
+  if (up == UpAxis::z)
+    return result;
+  // x to y, y to z, z to x: a turn by 120 degrees about (1, 1, 1)
+  const auto turned = [](const Vector3& v) { return Vector3{v.z, v.x, v.y}; };
+  const Quaternion turn{0.5, 0.5, 0.5, 0.5};
+  for (Particle& p : result.particles) {
+    p.centre = turned(p.centre);
+    p.velocity = turned(p.velocity);
+    p.angular_velocity = turned(p.angular_velocity);
+    p.orientation = turn * p.orientation;
+  }
+  for (Sphere& s : result.spheres)
+    s.centre = turned(s.centre);
+  return result;
+}
+
+bool top_of_ellipsoid(const Particle& particle, double x, double y, double& z) {
+  const Vector3& s = particle.semiaxes;
+  const SymmetricMatrix3 m = rotated_diagonal(rotation(particle.orientation), 1.0 / (s.x * s.x),
+                                              1.0 / (s.y * s.y), 1.0 / (s.z * s.z));
+  const double dx = x - particle.centre.x, dy = y - particle.centre.y;
+  // m.zz dz^2 + 2 half dz + rest = 0
+  const double half = m.xz * dx + m.yz * dy;
+  const double rest = m.xx * dx * dx + 2.0 * m.xy * dx * dy + m.yy * dy * dy - 1.0;
+  const double discriminant = half * half - m.zz * rest;
+  if (discriminant < 0.0)
+    return false;
+  z = particle.centre.z + (std::sqrt(discriminant) - half) / m.zz;
+  return true;
+}
+
+bool top_of_sphere(const Sphere& sphere, double x, double y, double& z) {
+  const double dx = x - sphere.centre.x, dy = y - sphere.centre.y;
+  const double squared = sphere.radius * sphere.radius - dx * dx - dy * dy;
+  if (squared < 0.0)
+    return false;
+  z = sphere.centre.z + std::sqrt(squared);
+  return true;
+}
+
+HeightMap::HeightMap(const ParticleSet& set, const std::vector<std::size_t>& members, double width,
+                     double floor)
+    : m_width(width), m_floor(floor) {
+  if (members.empty())
+    return;
+  double right = -1e300, back = -1e300;
+  m_left = m_front = 1e300;
+  for (const std::size_t i : members) {
+    const Particle& p = set.particles[i];
+    const double reach = p.largest_axis();
+    m_left = std::min(m_left, p.centre.x - reach);
+    right = std::max(right, p.centre.x + reach);
+    m_front = std::min(m_front, p.centre.y - reach);
+    back = std::max(back, p.centre.y + reach);
+  }
+  const double nx = std::ceil((right - m_left) / width), ny = std::ceil((back - m_front) / width);
+  if (!(nx * ny <= most_columns))
+    throw InputError(fmt::format("the free surface would need {:.0f} columns (at most {:.0f}): "
+                                 "choose a larger --columns",
+                                 nx * ny, most_columns));
+  m_columns_x = static_cast<std::size_t>(nx);
+  m_columns_y = static_cast<std::size_t>(ny);
+  m_heights.assign(m_columns_x * m_columns_y, floor);
+  for (const std::size_t i : members) {
+    const Particle& p = set.particles[i];
+    if (p.is_smooth())
+      raise(p.centre, p.largest_axis(),
+            [&](double x, double y, double& z) { return top_of_ellipsoid(p, x, y, z); });
+    for (std::size_t k = p.first_sphere; k < p.first_sphere + p.sphere_count; ++k)
+      raise(set.spheres[k].centre, set.spheres[k].radius,
+            [&](double x, double y, double& z) { return top_of_sphere(set.spheres[k], x, y, z); });
+  }
+}
+
+/// Lifts the columns within `reach` of a body to its top.
+template <class Top> void HeightMap::raise(const Vector3& centre, double reach, const Top& top) {
+  const auto column = [this](double distance, std::size_t count) {
+    const double k =
+        std::clamp(std::floor(distance / m_width), 0.0, static_cast<double>(count - 1));
+    return static_cast<std::size_t>(k);
+  };
+  const std::size_t i0 = column(centre.x - reach - m_left, m_columns_x);
+  const std::size_t i1 = column(centre.x + reach - m_left, m_columns_x);
+  const std::size_t j0 = column(centre.y - reach - m_front, m_columns_y);
+  const std::size_t j1 = column(centre.y + reach - m_front, m_columns_y);
+  double z = 0.0;
+  for (std::size_t j = j0; j <= j1; ++j)
+    for (std::size_t i = i0; i <= i1; ++i)
+      if (top(x(i), y(j), z))
+        m_heights[j * m_columns_x + i] = std::max(m_heights[j * m_columns_x + i], z);
+}
+
+double HeightMap::summit() const {
+  return m_heights.empty() ? m_floor : *std::max_element(m_heights.begin(), m_heights.end());
+}
+
+double HeightMap::volume() const {
+  double sum = 0.0;
+  for (const double height : m_heights)
+    sum += height - m_floor;
+  return sum * m_width * m_width;
+}
+
+} // namespace ellipsoid::post

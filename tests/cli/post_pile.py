@@ -1,0 +1,164 @@
+# Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+"""The commands on piles: figures, invariances, output formats, bad input, exit codes."""
+import gzip
+import os
+import random
+import time
+
+from _synthetic import (COLUMNS, frame_text, json_of, particle, post, rows_of, wedge, write)
+
+MEASURES = ("repose_angle_deg", "porosity", "zpp", "zss", "total_area_m2", "solid_area_m2",
+            "mean_overlap_b", "rattlers")
+
+
+def figures(*arguments, **options):
+    (row,) = rows_of("pile", *arguments, **options)
+    return {key: row[key] for key in MEASURES}
+
+
+def check_invariances(pile):
+    text = frame_text(100, pile)
+    reference = figures(write("one.dump", text))
+    assert abs(float(reference["repose_angle_deg"]) - 25.0) < 0.7, reference
+
+    shuffled = pile[:]
+    random.Random(5).shuffle(shuffled)
+    assert figures(write("shuffled.dump", frame_text(100, shuffled))) == reference
+    columns = COLUMNS[:]
+    random.Random(6).shuffle(columns)
+    assert figures(write("columns.dump", frame_text(100, pile, columns))) == reference
+    with gzip.open("packed.dump.gz", "wt") as file:
+        file.write(text)
+    assert figures("packed.dump.gz") == reference
+    assert figures("-", stdin=text) == reference
+
+    half = frame_text(99, pile[: len(pile) // 2])
+    assert figures(write("many.dump", half + text)) == reference
+    write("pile.0000000099.dump", half)
+    write("pile.0000000100.dump", text)
+    write("pile.0000000009.dump", frame_text(9, pile[:1]))
+    names = ["pile.%010d.dump" % step for step in (100, 9, 99)]
+    assert figures(*names) == reference
+    assert figures("pile.*.dump") == reference
+    assert figures("many.dump", "--frame", 100) == reference
+    strays = [particle(10000 + k, 0.3 + 0.01 * k, 1.15e-3) for k in range(5)]
+    with_strays = figures(write("strays.dump", frame_text(100, pile + strays)))
+    assert with_strays == reference, (with_strays, reference)
+    return reference
+
+
+def check_formats(reference):
+    (object_,) = json_of("pile", "one.dump")
+    assert object_["repose_angle_deg"] == float(reference["repose_angle_deg"])
+    assert object_["surface"] == "smooth" and object_["subspheres"] is None
+    text, _ = post("pile", "one.dump", "--csv", "t.csv", "--json", "t.json")
+    assert "angle of repose" in text and "deg" in text and os.path.getsize("t.json") > 100
+    for command, key in (("repose", "repose_angle_deg"), ("porosity", "porosity"),
+                         ("coordination", "zpp")):
+        (row,) = rows_of(command, "one.dump")
+        assert row[key] == reference[key]
+    for picture in ("pile.svg", "pile.png"):
+        post("pile", "one.dump", "--picture", picture)
+    with open("pile.svg", encoding="utf8") as file:
+        assert file.read().count("<ellipse") == 2 * len(wedge())
+    with open("pile.png", "rb") as file:
+        assert file.read(8) == b"\x89PNG\r\n\x1a\n"
+    post("render", "many.dump", "--frame", "all", "-o", "film_*.svg", "--colour", "angle")
+    assert os.path.exists("film_99.svg") and os.path.exists("film_100.svg")
+
+
+def check_summary():
+    write("other.dump", frame_text(3, wedge(22.0)))
+    write("coarse.dump", frame_text(3, wedge(25.0, subspheres=5)))
+    text, _ = post("pile", "one.dump", "other.dump", "coarse.dump", "--csv", "runs.csv")
+    assert "Mean and margin" in text
+    rows = rows_of("summary", "runs.csv")
+    smooth = next(row for row in rows if row["surface"] == "smooth")
+    runs = rows_of("pile", "one.dump", "other.dump")
+    angles = [float(row["repose_angle_deg"]) for row in runs]
+    assert smooth["runs"] == "2"
+    assert abs(float(smooth["repose_angle_mean_deg"]) - sum(angles) / 2) < 1e-12
+    assert abs(float(smooth["repose_angle_half_range_deg"]) - abs(angles[0] - angles[1]) / 2) < 1e-12
+    post("plot", 12, "runs.csv", "-o", "figure12.svg")
+    post("plot", 13, "runs.csv", "-o", "figure13.png")
+    post("plot", 5, "-o", "figure5.svg")
+    _, error = post("plot", 17, "runs.csv", "-o", "figure17.svg", expect=1)
+    assert "relative_cpu_time" in error
+    post("report", "one.dump", "other.dump", "coarse.dump", "-o", "report.html")
+    with open("report.html", encoding="utf8") as file:
+        page = file.read()
+    assert page.count("<figure>") >= 5 and "http" not in page.replace("http-equiv", "")
+
+
+def check_bad_input(pile):
+    whole = frame_text(1, pile)
+    cut = whole + frame_text(2, pile)[:-2000]
+    out, error = post("pile", write("cut.dump", cut), expect=1)
+    assert "angle of repose" in out and "cut.dump:" in error and "frame 2" in error, error
+    assert len(error.strip().splitlines()) == 1
+    cases = {
+        "missing.dump": (frame_text(1, pile, [c for c in COLUMNS if c != "quat3"]), "quat3"),
+        "nan.dump": (whole.replace("2e-05", "nan", 1), "finite number"),
+        "count.dump": (whole.replace(f"\n{len(pile)}\n", f"\n{len(pile) + 1}\n", 1), "row"),
+        "empty.dump": ("", "no frame"),
+        "none.dump": (frame_text(1, []), "at least one particle"),
+    }
+    for name, (text, message) in cases.items():
+        out, error = post("pile", write(name, text), expect=1)
+        assert out == "" and message in error and name in error, (name, out, error)
+    with open("rubbish.dump", "wb") as file:
+        file.write(bytes(random.Random(1).randrange(256) for _ in range(5000)))
+    _, error = post("pile", "rubbish.dump", expect=1)
+    assert "rubbish.dump:1" in error, error
+    _, error = post("pile", "no_such_file.dump", expect=1)
+    assert "no_such_file.dump" in error
+    _, error = post("pile", "one.dump", "no_such_file.dump", "--quiet", "--csv", "kept.csv", expect=1)
+    with open("kept.csv", encoding="ascii") as file:
+        assert len(file.readlines()) == 2
+    post("pile", expect=2)
+    post("pile", "one.dump", "--cut-top", "2", expect=2)
+    post("pile", "one.dump", "--frame", "middle", expect=2)
+    post("nonsense", expect=2)
+    _, error = post("render", "one.dump", "-o", "pile.jpg", expect=1)
+    assert ".svg or .png" in error
+    _, error = post("render", "one.dump", "-o", "pile.svg", "--colour", "nothing", expect=1)
+    assert "nothing" in error
+
+
+def check_digits_warning(pile):
+    rounded = [{k: float(f"{v:.6g}") if isinstance(v, float) else v for k, v in row.items()}
+               for row in pile]
+    _, error = post("coordination", write("rounded.dump", frame_text(1, rounded)))
+    assert "six digits" in error
+    _, error = post("coordination", "one.dump")
+    assert error == ""
+
+
+def check_speed(pile):
+    """The reader's speed is stated, not judged: machines differ."""
+    text = frame_text(7, pile * 5)
+    with open("large.dump", "w", encoding="ascii") as file:
+        for _ in range(100):
+            file.write(text)
+    size = os.path.getsize("large.dump") / 1e6
+    begin = time.monotonic()
+    post("repose", "large.dump", "--frame", "first")
+    first = time.monotonic() - begin
+    begin = time.monotonic()
+    post("repose", "large.dump")
+    seconds = time.monotonic() - begin - first
+    print(f"reading: {size:.0f} MB in {seconds:.2f} s = {size / max(seconds, 1e-3):.0f} MB/s")
+    os.remove("large.dump")
+
+
+def main():
+    pile = wedge()
+    reference = check_invariances(pile)
+    check_formats(reference)
+    check_summary()
+    check_bad_input(pile)
+    check_digits_warning(pile)
+    check_speed(pile)
+
+
+main()

@@ -1,0 +1,214 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Measures in space: heaps, beds, orientation, contacts, energies with known answers.
+#include "bed.h"
+#include "contact_forces.h"
+#include "energy.h"
+#include "heap.h"
+#include "orientation.h"
+#include "template_files.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace ellipsoid::post {
+namespace {
+
+constexpr double pi = 3.141592653589793238462643;
+
+Particle ball(double radius, const Vector3& centre) {
+  Particle p;
+  p.semiaxes = {radius, radius, radius};
+  p.centre = centre;
+  return p;
+}
+
+Quaternion random_turn(std::mt19937& generator) {
+  std::normal_distribution<double> normal;
+  return normalized(
+      Quaternion{normal(generator), normal(generator), normal(generator), normal(generator)});
+}
+
+/// Balls whose centres lie close together on a cone of the given slope about (0.3, -0.2).
+ParticleSet cone(double degrees, double height, double radius) {
+  ParticleSet set;
+  const double slope = std::tan(degrees * pi / 180.0), step = 0.5 * radius;
+  for (double r = 0.0; height - slope * r > 0.0; r += step) {
+    const int count = 1 + static_cast<int>(2.0 * pi * r / step);
+    for (int k = 0; k < count; ++k) {
+      const double turn = 2.0 * pi * k / count;
+      set.particles.push_back(
+          ball(radius, {0.3 + r * std::cos(turn), -0.2 + r * std::sin(turn), height - slope * r}));
+    }
+  }
+  return set;
+}
+
+TEST(Heap, a_cone_has_its_angle_in_every_sector) {
+  for (const double degrees : {15.0, 25.0}) {
+    const HeapAngle heap = heap_angle(cone(degrees, 1.0, 0.04), {});
+    // the axis shifts by less than a column; rings and balls wave the surface by radius / 30
+    EXPECT_NEAR(heap.spread.mean, degrees, 0.2);
+    EXPECT_LT(heap.spread.half_range, 0.5);
+    EXPECT_NEAR(heap.axis_x, 0.3, 0.01);
+    EXPECT_NEAR(heap.axis_y, -0.2, 0.01);
+    EXPECT_EQ(heap.sector_angles_deg.size(), 12u);
+  }
+}
+
+TEST(Heap, the_up_axis_is_only_a_turn) {
+  const ParticleSet upright = cone(25.0, 0.5, 0.04);
+  ParticleSet lying = upright; // the file's y is up: (x, y, z) of the plan are the file's z, x, y
+  for (Particle& p : lying.particles)
+    p.centre = {p.centre.y, p.centre.z, p.centre.x};
+  EXPECT_EQ(heap_angle(turned_upright(lying, UpAxis::y), {}).spread.mean,
+            heap_angle(upright, {}).spread.mean);
+}
+
+TEST(HeightMap, tops_lie_on_the_surface) {
+  std::mt19937 generator(3);
+  for (int trial = 0; trial < 200; ++trial) {
+    Particle p = ball(1.0, {0.5, -1.0, 2.0});
+    p.semiaxes = {3.0, 2.0, 1.0};
+    p.orientation = random_turn(generator);
+    double z = 0.0;
+    const double x = 0.5 + 0.004 * trial, y = -1.2;
+    ASSERT_TRUE(top_of_ellipsoid(p, x, y, z));
+    const Vector3 b = rotation(p.orientation).to_body(Vector3{x, y, z} - p.centre);
+    EXPECT_NEAR(b.x * b.x / 9.0 + b.y * b.y / 4.0 + b.z * b.z, 1.0, 1e-12);
+    EXPECT_FALSE(top_of_ellipsoid(p, 5.0, y, z));
+  }
+}
+
+/// A cubic lattice of touching ellipsoids that fills a box.
+ParticleSet cubic(int count, const Vector3& s) {
+  ParticleSet set;
+  for (int i = 0; i < count; ++i)
+    for (int j = 0; j < count; ++j)
+      for (int k = 0; k < count; ++k) {
+        Particle p = ball(1.0, {s.x * (2 * i + 1), s.y * (2 * j + 1), s.z * (2 * k + 1)});
+        p.semiaxes = s;
+        set.particles.push_back(p);
+      }
+  return set;
+}
+
+TEST(Bed, a_cubic_lattice_has_one_minus_pi_over_six) {
+  const Vector3 s{3.0, 2.0, 1.0};
+  const ParticleSet set = cubic(4, s);
+  BedRegion box{BedShape::box, 0.0, 24.0, 0.0, 16.0, 0.0, 0.0, 0.0, 0.0, 8.0};
+  const BedPorosity p = bed_porosity(set, box, 800);
+  EXPECT_NEAR(p.porosity, 1.0 - pi / 6.0, p.error + 1e-12);
+  EXPECT_LT(p.error, 1e-4);
+  // half of a layer of particles in z, whole ones in x and y
+  box.z0 = 2.0;
+  box.z1 = 5.0;
+  EXPECT_NEAR(bed_porosity(set, box, 1200).porosity, 1.0 - pi / 6.0, 1e-5);
+  // a box of empty space between four particles is not quite empty; one far away is
+  box.z0 = 20.0;
+  box.z1 = 21.0;
+  EXPECT_EQ(bed_porosity(set, box, 8).porosity, 1.0);
+  box.z1 = 20.0;
+  EXPECT_THROW(bed_porosity(set, box, 8), InputError);
+}
+
+TEST(Bed, profiles_of_one_ball) {
+  ParticleSet set;
+  set.particles = {ball(1.0, {0.0, 0.0, 0.0})};
+  const BedRegion cylinder{BedShape::cylinder, 0, 0, 0, 0, 0.0, 0.0, 1.0, -1.0, 1.0};
+  EXPECT_NEAR(bed_porosity(set, cylinder, 2000).porosity, 1.0 / 3.0, 1e-5);
+  const auto layers = height_profile(set, cylinder, 4, 800);
+  // spherical segment from z0 to z1: pi (z1 - z0 - (z1^3 - z0^3) / 3)
+  EXPECT_NEAR(layers[0].porosity, 1.0 - (0.5 - (1.0 - 0.125) / 3.0) / 0.5, 1e-5);
+  EXPECT_NEAR(layers[1].porosity, 1.0 - (0.5 - 0.125 / 3.0) / 0.5, 1e-5);
+  const auto rings = radial_profile(set, cylinder, 2, 2000);
+  // inside radius r: 4 pi / 3 (1 - (1 - r^2)^(3/2)) of 2 pi r^2
+  const double inner = 4.0 / 3.0 * (1.0 - std::pow(0.75, 1.5));
+  EXPECT_NEAR(rings[0].porosity, 1.0 - inner / 0.5, 1e-3);
+  EXPECT_NEAR(rings[1].porosity, 1.0 - (4.0 / 3.0 - inner) / 1.5, 1e-3);
+}
+
+TEST(Bed, solid_volume_of_turned_ellipsoids_far_apart) {
+  std::mt19937 generator(8);
+  ParticleSet set;
+  for (int k = 0; k < 5; ++k) {
+    Particle p = ball(1.0, {10.0 * k, 0.0, 0.1 * k});
+    p.semiaxes = {3.0, 2.0, 1.0};
+    p.orientation = random_turn(generator);
+    set.particles.push_back(p);
+  }
+  EXPECT_NEAR(solid_volume(set, all_members(set), 2000), 5.0 * 4.0 / 3.0 * pi * 6.0, 1e-3);
+}
+
+TEST(Orientation, aligned_and_random) {
+  ParticleSet set;
+  for (int k = 0; k < 10; ++k) { // along +-30 degrees' direction, either sign
+    Particle p = ball(1.0, {});
+    const double angle = pi / 6.0 + (k % 2) * pi;
+    p.orientation = {std::cos(0.5 * angle), 0.0, 0.0, std::sin(0.5 * angle)};
+    set.particles.push_back(p);
+  }
+  Orientation o = orientation(set, all_members(set), 18);
+  EXPECT_NEAR(o.nematic_order, 1.0, 1e-14);
+  EXPECT_NEAR(o.plane_order, 1.0, 1e-14);
+  EXPECT_NEAR(o.plane_angle_deg, 30.0, 1e-12);
+  std::mt19937 generator(2);
+  set.particles.assign(20000, ball(1.0, {}));
+  for (Particle& p : set.particles)
+    p.orientation = random_turn(generator);
+  o = orientation(set, all_members(set), 18);
+  EXPECT_LT(o.nematic_order, 0.02); // 1 / sqrt(20000) = 0.007
+  EXPECT_LT(o.plane_order, 0.03);
+}
+
+TEST(Contacts, fabric_and_forces) {
+  const PrincipalAxes fabric = mean_dyad({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  EXPECT_NEAR(fabric.values[0], 0.5, 1e-15);
+  EXPECT_NEAR(fabric.values[2], 0.25, 1e-15);
+  EXPECT_NEAR(std::abs(fabric.direction.x), 1.0, 1e-12);
+  const ForceStatistics f = force_statistics({{3, 4, 0}, {0, 1, 0}, {0, 0, -1}, {1, 0, 0}});
+  EXPECT_DOUBLE_EQ(f.mean, 2.0);
+  EXPECT_DOUBLE_EQ(f.largest, 5.0);
+  EXPECT_DOUBLE_EQ(f.strong_share, 0.25);
+  EXPECT_DOUBLE_EQ(f.strong_load_share, 0.625);
+  EXPECT_DOUBLE_EQ(f.distribution[2], 0.75 / 0.25); // three at half the mean
+  EXPECT_DOUBLE_EQ(f.distribution[10], 0.25 / 0.25);
+}
+
+TEST(Energy, of_a_spinning_ellipsoid) {
+  ParticleSet set;
+  Particle p = ball(1.0, {1.0, 2.0, 3.0});
+  p.semiaxes = {3.0, 2.0, 1.0};
+  p.mass = 5.0;
+  p.velocity = {1.0, 2.0, 2.0};
+  p.orientation = {std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)}; // body x along space y
+  p.angular_velocity = {0.0, 2.0, 0.0};
+  set.particles = {p};
+  set.has_velocities = true;
+  EnergyOptions options;
+  Energy e = energy(set, options);
+  EXPECT_DOUBLE_EQ(e.translation, 22.5);
+  EXPECT_NEAR(e.rotation, 0.5 * (2.0 * 2.0 + 1.0) * 4.0, 1e-13); // I1 = m (b^2 + c^2) / 5
+  EXPECT_DOUBLE_EQ(e.potential, 5.0 * 9.81 * 2.0);
+  options.inertia = Vector3{7.0, 1.0, 1.0};
+  e = energy(set, options);
+  EXPECT_NEAR(e.rotation, 0.5 * 7.0 * 4.0, 1e-13);
+  set.has_velocities = false;
+  EXPECT_THROW(energy(set, options), InputError);
+}
+
+TEST(SurfaceMesh, encloses_the_volume_and_is_closed) {
+  const MultisphereTemplate chain = make_multisphere(2.7, 1.15, 9);
+  const SurfaceMesh mesh = outline_of_revolution(chain);
+  // circles by 32-gons: sin(2 pi / 32) / (2 pi / 32) = 0.9936 of the volume
+  EXPECT_NEAR(enclosed_volume(mesh) / measure(chain).volume, 0.9936, 3e-3);
+  // and 25 chords from pole to pole, inside by 1 - (pi / 25)^2 / 4 to the next order
+  const double chords = 1.0 - pi * pi / 2500.0;
+  EXPECT_NEAR(enclosed_volume(ellipsoid_surface({3.0, 2.0, 1.0})) / (8.0 * pi), 0.9936 * chords,
+              2e-4);
+  EXPECT_EQ(mesh.triangles.size(), 2 * (mesh.points.size() - 2)); // Euler: closed, no holes
+}
+
+} // namespace
+} // namespace ellipsoid::post
