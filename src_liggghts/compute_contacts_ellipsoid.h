@@ -11,9 +11,10 @@ ComputeStyle(contacts/ellipsoid,ComputeContactsEllipsoid)
 
 namespace LAMMPS_NS {
 
-/// Global vector of the last time step, summed over all ranks: [1] contacts between particles,
-/// [2] pairs whose contact was searched, [3] pairs in the neighbour list (potential contacts),
-/// [4] Newton steps, [5] searches that did not converge.
+/// Global vector of the last time step, summed over all ranks: [1] touching pairs of particles,
+/// [2] contacts between them (more than [1] for multi-spheres), [3] pairs in the neighbour list,
+/// [4] searches (smooth) or distances between sub-spheres (multisphere): potential contacts,
+/// [5] Newton steps, [6] searches that did not converge.
 class ComputeContactsEllipsoid : public Compute {
 public:
   ComputeContactsEllipsoid(class LAMMPS* lmp, int& iarg, int narg, char** arg);

@@ -1,11 +1,9 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// The pair loop of pair_style gran/ellipsoid: finds the contacts, calls the contact models, adds up
-// forces and torques. The host's own loop (pair_gran_base.h) knows one contact per pair, on the line
-// of centres.
-//
-// Per pair the history starts with what the search remembers: the unit normal from j to i (it flips
-// with the order of the pair, as the host's flag 1 says) and whether the pair touched.
+// The pair loop of pair_style gran/ellipsoid, as far as it is the same for all surfaces: walks over
+// the neighbour list, calls the contact models, adds up forces and torques. The host's own loop
+// (pair_gran_base.h) knows one contact per pair, on the line of centres. What the contacts of a pair
+// are is for the derived classes (smooth_contact_loop.h, multisphere_contact_loop.h).
 #ifndef ELLIPSOID_CONTACT_LOOP_H_
 #define ELLIPSOID_CONTACT_LOOP_H_
 
@@ -23,17 +21,29 @@
 #include "update.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace LIGGGHTS {
 
 using namespace ContactModels;
 
-template <typename Model>
-class EllipsoidContactLoop : private Pointers, public PairStyles::IGranularPairStyle {
+/// Names of history values, and whether they change sign when the pair is seen from j.
+using SearchHistory = std::vector<std::pair<std::string, bool>>;
+
+/// @tparam Surface the derived class; it has prepare(), and treat_pair(i, j, flag, history)
+/// @tparam Model   the host's ContactModel<...>
+template <typename Surface, typename Model>
+class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPairStyle {
 public:
-  EllipsoidContactLoop(LAMMPS* lmp, PairGranEllipsoid* pair, int64_t hash)
-      : Pointers(lmp), pair_(pair), model_((reserve_history(pair), lmp), pair, false, hash) {}
+  /// @param[in] search_history what the search remembers of a pair or contact: (name, flips) each;
+  ///            these values come first in the history, those of the models follow
+  EllipsoidContactLoop(LAMMPS* lmp, PairGranEllipsoid* pair, int64_t hash,
+                       const SearchHistory& search_history)
+      : Pointers(lmp), pair_(pair), model_((reserve(pair, search_history), lmp), pair, false, hash) {
+  }
 
   int64_t hashcode() override { return model_.hashcode(); }
   int get_history_offset(const std::string name) override {
@@ -67,44 +77,52 @@ public:
 
   void compute_force(PairGran*, int eflag, int vflag, int addflag) override {
     begin(eflag, vflag, addflag);
+    Surface& surface = static_cast<Surface&>(*this);
+    surface.prepare();
     const NeighList* list = pair_->list;
     for (int ii = 0; ii < list->inum; ++ii) {
       const int i = list->ilist[ii];
       double* history = pair_->listgranhistory->firstdouble[i];
       int* flags = pair_->listgranhistory->firstneigh[i];
       for (int jj = 0; jj < list->numneigh[i]; ++jj)
-        treat_pair(i, list->firstneigh[i][jj] & NEIGHMASK, flags[jj],
-                   &history[history_values_ * jj]);
+        surface.treat_pair(i, list->firstneigh[i][jj] & NEIGHMASK, flags[jj],
+                           &history[history_values_ * jj]);
     }
     end();
   }
 
-private:
-  // the search's own part of the history, at the offset 0
-  enum SearchHistory { normal_x, normal_y, normal_z, was_touching };
-
+protected:
   PairGranEllipsoid* pair_;
   Model model_;
   SurfacesIntersectData contact_;
   ForceData force_i_, force_j_;
   ContactCounts counts_;
-  const std::vector<ellipsoid::EllipsoidShape>* shapes_ = nullptr;
-  int history_values_ = 0;
-  bool collect_ = false; // for compute pair/gran/local
+  int history_values_ = 0; // per pair
+  bool collect_ = false;   // for compute pair/gran/local
 
-  static void reserve_history(PairGranEllipsoid* pair) {
-    pair->add_history_value("normalx", "1");
-    pair->add_history_value("normaly", "1");
-    pair->add_history_value("normalz", "1");
-    pair->add_history_value("touching", "0");
+  static void reserve(PairGranEllipsoid* pair, const SearchHistory& search_history) {
+    for (const auto& value : search_history)
+      pair->add_history_value(value.first, value.second ? "1" : "0");
   }
+
+  /// x_j - x_i if the bounding spheres overlap.
+  bool is_near(int i, int j, ellipsoid::Vector3& distance) {
+    counts_.values[ContactCounts::near_pairs] += share(j);
+    const double* x_i = atom->x[i];
+    const double* x_j = atom->x[j];
+    distance = {x_j[0] - x_i[0], x_j[1] - x_i[1], x_j[2] - x_i[2]};
+    const double reach = atom->radius[i] + atom->radius[j];
+    return dot(distance, distance) < reach * reach;
+  }
+
+  /// Pairs with a ghost are treated by two ranks.
+  double share(int j) const { return j < atom->nlocal ? 1.0 : 0.5; }
 
   void begin(int eflag, int vflag, int addflag) {
     if (eflag || vflag)
       pair_->ev_setup(eflag, vflag);
     else
       pair_->evflag = pair_->vflag_fdotr = 0;
-    shapes_ = &pair_->update_shapes();
     history_values_ = pair_->dnum();
     counts_ = ContactCounts();
     collect_ = pair_->cpl() && addflag;
@@ -129,56 +147,7 @@ private:
       pair_->fix_contact_forces_stress()->do_forward_comm();
   }
 
-  void treat_pair(int i, int j, int& flag, double* history) {
-    const double* x_i = atom->x[i];
-    const double* x_j = atom->x[j];
-    const double reach = atom->radius[i] + atom->radius[j];
-    const ellipsoid::Vector3 distance{x_j[0] - x_i[0], x_j[1] - x_i[1], x_j[2] - x_i[2]};
-    const double squared_distance = dot(distance, distance);
-    counts_.values[ContactCounts::near_pairs] += j < atom->nlocal ? 1.0 : 0.5;
-    if (squared_distance < reach * reach) {
-      const ellipsoid::ContactGeometry geometry = search(i, j, distance, history);
-      if (geometry.status != ellipsoid::ContactStatus::separated) {
-        fill_contact(i, j, distance, squared_distance, geometry, flag, history);
-        apply_contact();
-        return;
-      }
-    }
-    if (flag || history[was_touching] != 0.0)
-      forget_contact(i, j, flag, history);
-  }
-
-  /// A touching pair starts from its last normal. All others start from scratch once a remembered
-  /// separating normal fails: what a new contact is does not depend on what happened before it, nor
-  /// on whether the run was interrupted.
-  ellipsoid::ContactGeometry search(int i, int j, const ellipsoid::Vector3& distance,
-                                    double* history) {
-    using namespace ellipsoid;
-    const EllipsoidShape& shape_i = (*shapes_)[static_cast<std::size_t>(i)];
-    const EllipsoidShape& shape_j = (*shapes_)[static_cast<std::size_t>(j)];
-    const Vector3 remembered = -ellipsoid_host::vector(&history[normal_x]);
-    const bool has_normal = dot(remembered, remembered) > 0.5; // unit vector, or zero
-    ContactGeometry geometry;
-    if (has_normal && history[was_touching] != 0.0) {
-      geometry = find_contact_from(remembered, shape_i, shape_j, distance);
-    } else {
-      if (has_normal && overlap_along(shape_i, shape_j, distance, remembered) < 0.0)
-        return geometry;
-      geometry = find_contact(shape_i, shape_j, distance);
-    }
-    count_search(geometry, j < atom->nlocal ? 1.0 : 0.5);
-    if (contact_.computeflag)
-      ellipsoid_host::store(-geometry.normal, &history[normal_x]);
-    return geometry;
-  }
-
-  void count_search(const ellipsoid::ContactGeometry& geometry, double share) {
-    counts_.values[ContactCounts::searched_pairs] += share;
-    counts_.values[ContactCounts::newton_steps] += share * geometry.iterations;
-    if (geometry.status == ellipsoid::ContactStatus::not_converged)
-      counts_.values[ContactCounts::not_converged] += share;
-  }
-
+  /// Tells the models that a contact is over: they clear their part of its history.
   void forget_contact(int i, int j, int& flag, double* history) {
     contact_.i = i;
     contact_.j = j;
@@ -188,42 +157,42 @@ private:
     force_i_.reset();
     force_j_.reset();
     model_.surfacesClose(contact_, force_i_, force_j_);
-    history[was_touching] = 0.0;
-    flag = 0;
   }
 
-  void fill_contact(int i, int j, const ellipsoid::Vector3& distance, double squared_distance,
-                    const ellipsoid::ContactGeometry& geometry, int& flag, double* history) {
-    using ellipsoid_host::store;
+  /// What all contacts of one pair have in common.
+  void fill_pair(int i, int j, const ellipsoid::Vector3& distance, int& flag) {
     SurfacesIntersectData& c = contact_;
     c.i = i;
     c.j = j;
     c.itype = atom->type[i];
     c.jtype = atom->type[j];
-    store(-distance, c.delta);
-    c.rsq = squared_distance;
-    c.r = std::sqrt(squared_distance);
+    ellipsoid_host::store(-distance, c.delta);
+    c.rsq = dot(distance, distance);
+    c.r = std::sqrt(c.rsq);
     c.rinv = 1.0 / c.r;
-    store(-geometry.normal, c.en);
-    store(ellipsoid_host::vector(atom->x[i]) + geometry.point, c.contact_point);
-    c.deltan = std::max(0.0, geometry.overlap);
-    c.reff = geometry.reduced_radius;
-    // local spheres with the Gaussian radii of curvature, scaled so that their R is that of (19)
-    const double r_i = geometry.curvature_radius_i, r_j = geometry.curvature_radius_j;
-    const double scale = geometry.reduced_radius * (r_i + r_j) / (r_i * r_j);
-    c.radi = pair_->curvature_radius_i = scale * r_i;
-    c.radj = pair_->curvature_radius_j = scale * r_j;
-    c.radsum = c.radi + c.radj;
     c.v_i = atom->v[i];
     c.v_j = atom->v[j];
     c.omega_i = atom->omega[i];
     c.omega_j = atom->omega[j];
-    set_masses();
     c.contact_flags = &flag;
+    set_masses();
+  }
+
+  /// @param[in] normal  unit, from i to j
+  /// @param[in] point   relative to the centre of i (length)
+  /// @param[in] radius_i, radius_j of the local spheres (length)
+  void fill_contact(const ellipsoid::Vector3& normal, const ellipsoid::Vector3& point,
+                    double overlap, double reduced_radius, double radius_i, double radius_j,
+                    double* history) {
+    SurfacesIntersectData& c = contact_;
+    ellipsoid_host::store(-normal, c.en);
+    ellipsoid_host::store(ellipsoid_host::vector(atom->x[c.i]) + point, c.contact_point);
+    c.deltan = std::max(0.0, overlap);
+    c.reff = reduced_radius;
+    c.radi = pair_->curvature_radius_i = radius_i;
+    c.radj = pair_->curvature_radius_j = radius_j;
+    c.radsum = radius_i + radius_j;
     c.contact_history = history;
-    if (c.computeflag)
-      history[was_touching] = 1.0;
-    flag |= CONTACT_SURFACE_MODEL;
   }
 
   void set_masses() {
@@ -245,21 +214,32 @@ private:
       c.meff = c.mi;
   }
 
-  void apply_contact() {
+  /// @param[in] weight of its force in the sum
+  void apply_contact(double weight = 1.0) {
     force_i_.reset();
     force_j_.reset();
     model_.surfacesIntersect(contact_, force_i_, force_j_);
     model_.endSurfacesIntersect(contact_, nullptr, force_i_, force_j_);
+    if (weight != 1.0) {
+      scale(force_i_, weight);
+      scale(force_j_, weight);
+    }
     contact_.has_force_update = true;
     const int i = contact_.i, j = contact_.j;
     const bool owns_j = force->newton_pair || j < atom->nlocal;
-    counts_.values[ContactCounts::contacts] += owns_j ? 1.0 : 0.5;
     if (contact_.computeflag) {
       add_force(i, force_i_);
       if (owns_j)
         add_force(j, force_j_);
     }
     report_contact(i, j, owns_j);
+  }
+
+  static void scale(ForceData& f, double factor) {
+    for (int k = 0; k < 3; ++k) {
+      f.delta_F[k] *= factor;
+      f.delta_torque[k] *= factor;
+    }
   }
 
   void add_force(int i, const ForceData& force) {

@@ -5,13 +5,17 @@
 #include "ellipsoid_host.h"
 #include "ellipsoid_properties.h"
 #include "error.h"
+#include "fix_property_atom.h"
 #include "force.h"
 #include "memory.h"
+#include "modify.h"
 #include "random_park.h"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace LAMMPS_NS;
@@ -51,6 +55,20 @@ int ParticleToInsertEllipsoid::set_x_v_omega(double* x, double* v, double* omega
   return ParticleToInsertSuperquadric::set_x_v_omega(x, v, omega, quat);
 }
 
+int ParticleToInsertEllipsoid::insert() {
+  const int inserted = ParticleToInsertSuperquadric::insert();
+  if (subspheres == 0)
+    return inserted;
+  for (const auto& value : {std::make_pair("subspheres", static_cast<double>(subspheres)),
+                            std::make_pair("spacing", static_cast<double>(spacing))}) {
+    auto* fix = static_cast<FixPropertyAtom*>(modify->find_fix_property(
+        value.first, "property/atom", "scalar", 0, 0, "fix particletemplate/ellipsoid"));
+    for (int i = atom->nlocal - inserted; i < atom->nlocal; ++i)
+      fix->vector_atom[i] = value.second;
+  }
+  return inserted;
+}
+
 FixParticletemplateEllipsoid::FixParticletemplateEllipsoid(LAMMPS* lmp, int narg, char** arg)
     : FixTemplateSphere(lmp, BaseArguments(narg, arg).count(), BaseArguments(narg, arg).words()) {
   if (!atom->superquadric_flag)
@@ -64,6 +82,20 @@ FixParticletemplateEllipsoid::~FixParticletemplateEllipsoid() {
   delete pti;
   if (pti_list)
     delete_ptilist();
+}
+
+/// What tells multi-sphere particles apart is stored per atom, in fixes that are made here once and
+/// go with the atoms to other ranks, ghosts and restart files.
+void FixParticletemplateEllipsoid::post_create() {
+  if (!stores_subspheres_)
+    return;
+  for (const char* name : {"subspheres", "spacing"}) {
+    if (modify->find_fix_property(name, "property/atom", "scalar", 0, 0, style, false))
+      continue;
+    const char* arguments[] = {name,  "all", "property/atom", name, "scalar",
+                               "yes", "yes", "no",            "0."};
+    modify->add_fix(9, const_cast<char**>(arguments));
+  }
 }
 
 void FixParticletemplateEllipsoid::parse(int narg, char** arg) {
@@ -88,12 +120,22 @@ void FixParticletemplateEllipsoid::parse(int narg, char** arg) {
       has_moments = true;
     } else if (keyword == "orientation") {
       planar_ = reader.choice(keyword, {"insert", "planar"}) == 1;
+    } else if (keyword == "subspheres") {
+      subspheres_ = reader.integer(keyword, 0, ellipsoid::largest_sphere_count);
+      stores_subspheres_ = true;
+    } else if (keyword == "spacing") {
+      const std::string word = reader.word(keyword);
+      try {
+        spacing_ = ellipsoid::sphere_spacing_from_word(word);
+      } catch (const std::invalid_argument& problem) {
+        reader.complain("keyword 'spacing': " + std::string(problem.what()));
+      }
     } else if (keyword == "volume_limit") {
       vol_limit = reader.positive(keyword);
     } else {
       reader.complain("unknown keyword '" + keyword +
                       "', allowed are 'atom_type', 'semiaxes', 'density', 'mass', 'inertia', "
-                      "'orientation', 'volume_limit'");
+                      "'orientation', 'subspheres', 'spacing', 'volume_limit'");
     }
   }
   finish(has_semiaxes, has_moments);
@@ -120,6 +162,20 @@ void FixParticletemplateEllipsoid::finish(bool has_semiaxes, bool has_moments) {
     error->fix_error(FLERR, this,
                      "keyword 'inertia': one moment is larger than the sum of the two others, which "
                      "no rigid body has; correct the values");
+  if (subspheres_ > 0)
+    check_multisphere();
+}
+
+void FixParticletemplateEllipsoid::check_multisphere() const {
+  try {
+    if (semiaxes_.y != semiaxes_.z)
+      throw std::invalid_argument("the semi-axes b and c differ, multi-spheres need b = c; use "
+                                  "equal ones, or 'surface smooth' without 'subspheres'");
+    ellipsoid::make_multisphere(semiaxes_.x, semiaxes_.y, subspheres_, spacing_);
+  } catch (const std::invalid_argument& problem) {
+    error->fix_error(FLERR, const_cast<FixParticletemplateEllipsoid*>(this),
+                     ("keyword 'subspheres': " + std::string(problem.what())).c_str());
+  }
 }
 
 void FixParticletemplateEllipsoid::fill(ParticleToInsertEllipsoid& p) const {
@@ -136,6 +192,8 @@ void FixParticletemplateEllipsoid::fill(ParticleToInsertEllipsoid& p) const {
   store(ellipsoid::Vector3{}, p.v_ins);
   store(ellipsoid::Vector3{}, p.omega_ins);
   p.groupbit = groupbit;
+  p.subspheres = subspheres_;
+  p.spacing = spacing_;
 }
 
 void FixParticletemplateEllipsoid::randomize(ParticleToInsertEllipsoid& p) {
@@ -184,6 +242,8 @@ unsigned int FixParticletemplateEllipsoid::generate_hash() {
   for (const double value : {semiaxes_.x, semiaxes_.y, semiaxes_.z, mass_, principal_moments_.x,
                              principal_moments_.y, principal_moments_.z})
     add_hash_value(value, start, hash);
-  add_hash_value(static_cast<int>(planar_), start, hash);
+  for (const int value :
+       {static_cast<int>(planar_), subspheres_, static_cast<int>(spacing_)})
+    add_hash_value(value, start, hash);
   return hash;
 }

@@ -8,6 +8,7 @@ FixStyle(particletemplate/ellipsoid,FixParticletemplateEllipsoid)
 #define LMP_FIX_PARTICLETEMPLATE_ELLIPSOID_H
 
 #include "fix_template_sphere.h"
+#include "multisphere_template.h"
 #include "particleToInsertSuperquadric.h"
 #include "vector3.h"
 
@@ -20,7 +21,10 @@ public:
   int check_near_set_x_v_omega(double* x, double* v, double* omega, double* quat,
                                RegionNeighborList<interpolate_no>& near) override;
   int set_x_v_omega(double* x, double* v, double* omega, double* quat) override;
+  int insert() override;
 
+  int subspheres = 0; ///< N of a multi-sphere particle, 0: smooth
+  ellipsoid::SphereSpacing spacing = ellipsoid::SphereSpacing::paper;
   bool has_orientation = false; ///< use `orientation`, whatever the inserting fix says
   ellipsoid::Quaternion orientation;
 };
@@ -30,6 +34,7 @@ public:
   FixParticletemplateEllipsoid(class LAMMPS* lmp, int narg, char** arg);
   ~FixParticletemplateEllipsoid();
 
+  void post_create() override;
   double min_rad() override { return bounding_radius_; }
   double max_rad() override { return bounding_radius_; }
   double max_r_bound() override { return bounding_radius_; }
@@ -52,9 +57,13 @@ private:
   double density_ = 0.0; // mass over the volume of the smooth ellipsoid
   double bounding_radius_ = 0.0;
   bool planar_ = false; // random angle in the xy plane
+  int subspheres_ = 0;  // N of multi-sphere particles, 0: smooth
+  bool stores_subspheres_ = false;
+  ellipsoid::SphereSpacing spacing_ = ellipsoid::SphereSpacing::paper;
 
   void parse(int narg, char** arg);
   void finish(bool has_semiaxes, bool has_moments);
+  void check_multisphere() const;
   void randomize(ParticleToInsertEllipsoid& particle);
 };
 

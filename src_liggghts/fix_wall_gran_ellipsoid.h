@@ -9,6 +9,9 @@ FixStyle(wall/gran/ellipsoid,FixWallGranEllipsoid)
 
 #include "ellipsoid_contact_caller.h"
 #include "fix_wall_gran.h"
+#include "multisphere_particles.h"
+
+#include <vector>
 
 namespace LAMMPS_NS {
 
@@ -24,7 +27,19 @@ protected:
   void post_force_primitive(int vflag) override;
 
 private:
-  void plane_contact(int particle, double* history, double* wall_velocity);
+  bool multisphere_ = false;
+  ellipsoid_host::MultisphereParticles particles_; // for surface multisphere
+  std::vector<ellipsoid::SphereContact> found_;
+  std::vector<double> slots_before_;
+  int slot_values_ = 0, slots_ = 0;
+  ellipsoid::MulticontactRule rule_ = ellipsoid::MulticontactRule::sum;
+
+  void smooth_contact(int particle, double* history, double* wall_velocity);
+  void multisphere_contacts(int particle, double* history, double* wall_velocity);
+  void keep_slots(int particle, double* history);
+  LCM::SurfacesIntersectData wall_contact(int particle, const ellipsoid::Vector3& normal,
+                                          const ellipsoid::Vector3& point, double overlap,
+                                          double radius, double* history);
 };
 
 } // namespace LAMMPS_NS

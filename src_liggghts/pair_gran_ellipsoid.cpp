@@ -4,11 +4,14 @@
 #include "atom.h"
 #include "comm.h"
 #include "contact_models.h"
-#include "ellipsoid_contact_loop.h"
 #include "ellipsoid_host.h"
 #include "error.h"
 #include "force.h"
+#include "multisphere_contact_loop.h"
+#include "neighbor.h"
+#include "smooth_contact_loop.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -20,9 +23,9 @@ namespace {
 
 using Creator = PairStyles::IGranularPairStyle* (*)(LAMMPS*, PairGranEllipsoid*, int64_t);
 
-template <typename Style>
+template <template <typename> class Loop, typename Style>
 PairStyles::IGranularPairStyle* make_loop(LAMMPS* lmp, PairGranEllipsoid* pair, int64_t hash) {
-  return new EllipsoidContactLoop<ContactModel<Style>>(lmp, pair, hash);
+  return new Loop<ContactModel<Style>>(lmp, pair, hash);
 }
 
 /// Only combinations with a surface of ellipsoids have a loop of ellipsoids.
@@ -34,9 +37,27 @@ template <int Normal, int Tangential, int Cohesion, int Rolling>
 struct Registration<Normal, Tangential, Cohesion, Rolling, SURFACE_SMOOTH> {
   static void add(std::map<int64_t, Creator>& creators) {
     using Style = GranStyle<Normal, Tangential, Cohesion, Rolling, SURFACE_SMOOTH>;
-    creators[Style::HASHCODE] = &make_loop<Style>;
+    creators[int64_t{Style::HASHCODE}] = &make_loop<SmoothContactLoop, Style>;
   }
 };
+
+template <int Normal, int Tangential, int Cohesion, int Rolling>
+struct Registration<Normal, Tangential, Cohesion, Rolling, SURFACE_MULTISPHERE> {
+  static void add(std::map<int64_t, Creator>& creators) {
+    using Style = GranStyle<Normal, Tangential, Cohesion, Rolling, SURFACE_MULTISPHERE>;
+    creators[int64_t{Style::HASHCODE}] = &make_loop<MultisphereContactLoop, Style>;
+  }
+};
+
+/// Any other combination runs by virtual dispatch.
+Creator virtual_dispatch(int64_t variant) {
+  const int surface = static_cast<int>((variant >> 24) & 63); // as the host packs its models
+  if (surface == SURFACE_SMOOTH)
+    return &make_loop<SmoothContactLoop, GranStyle<>>;
+  if (surface == SURFACE_MULTISPHERE)
+    return &make_loop<MultisphereContactLoop, GranStyle<>>;
+  return nullptr;
+}
 
 /// The combinations that the whitelist has compiled.
 const std::map<int64_t, Creator>& compiled_combinations() {
@@ -60,9 +81,20 @@ PairGranEllipsoid::~PairGranEllipsoid() { delete impl_; }
 void PairGranEllipsoid::create(int64_t variant) {
   delete impl_;
   const auto found = compiled_combinations().find(variant);
-  impl_ = found != compiled_combinations().end()
-              ? found->second(lmp, this, variant)
-              : make_loop<GranStyle<>>(lmp, this, variant); // by virtual dispatch
+  const Creator creator =
+      found != compiled_combinations().end() ? found->second : virtual_dispatch(variant);
+  if (!creator)
+    error->all(FLERR, "pair_style gran/ellipsoid needs 'surface smooth' or 'surface multisphere' "
+                      "after the other models; add it");
+  impl_ = creator(lmp, this, variant);
+}
+
+void PairGranEllipsoid::repeat_history(int times) {
+  const std::size_t slot = history_arg.size();
+  for (int k = 1; k < times; ++k)
+    for (std::size_t value = 0; value < slot; ++value)
+      add_history_value(history_arg[value].name + "_" + std::to_string(k),
+                        history_arg[value].newtonflag);
 }
 
 void PairGranEllipsoid::settings(int narg, char** arg) {
@@ -75,9 +107,6 @@ void PairGranEllipsoid::settings(int narg, char** arg) {
                       "and this package's, in the order model, tangential, cohesion, "
                       "rolling_friction, surface; correct the names and their order");
   create(variant);
-  if (!impl_->contact_match("surface", "smooth"))
-    error->all(FLERR, "pair_style gran/ellipsoid needs 'surface smooth' after the other models; "
-                      "add it");
   impl_->settings(narg, arg, this);
 }
 
@@ -86,6 +115,8 @@ void PairGranEllipsoid::init_style() {
     error->all(FLERR, "pair_style gran/ellipsoid needs particles with shape: use atom_style "
                       "granular/ellipsoid");
   PairGran::init_style();
+  // the host takes whole rows of the history out of pages and does not look whether they fit
+  neighbor->pgsize = std::max(neighbor->pgsize, 2 * neighbor->oneatom * std::max(1, dnum()));
   if (store_multicontact_data_)
     error->all(FLERR, "pair_style gran/ellipsoid does not work with fix multicontact/halfspace; "
                       "remove that fix");

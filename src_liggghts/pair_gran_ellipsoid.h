@@ -18,7 +18,7 @@ namespace LAMMPS_NS {
 
 /// What the contact search did in the last time step, on this rank.
 struct ContactCounts {
-  enum Item { contacts, searched_pairs, near_pairs, newton_steps, not_converged, item_count };
+  enum Item { touching_pairs, contacts, near_pairs, tested, newton_steps, not_converged, item_count };
   double values[item_count] = {};
 };
 
@@ -45,6 +45,8 @@ public:
   /// Owned pairs count once, pairs with a ghost half on each rank.
   void publish(const ContactCounts& counts);
   const ContactCounts& counts() const { return counts_; }
+  /// Gives the history registered so far `times` slots in all.
+  void repeat_history(int times);
 
 protected:
   void compute_force(int eflag, int vflag, int addflag) override {

@@ -9,17 +9,10 @@
 namespace ellipsoid::post {
 namespace {
 
-/// The runs that the user named, each as a list of files.
-std::vector<std::vector<std::string>> file_lists(const FrameOptions& options) {
-  std::vector<std::vector<std::string>> lists;
-  for (const std::string& run : options.runs) {
-    const std::vector<std::string> files = expand(run);
-    if (options.one_run && !lists.empty())
-      lists.front().insert(lists.front().end(), files.begin(), files.end());
-    else
-      lists.push_back(files);
-  }
-  return lists;
+RunGrouping grouping_of(const FrameOptions& options) {
+  return options.one_run     ? RunGrouping::one_run
+         : options.each_file ? RunGrouping::each_file
+                             : RunGrouping::automatic;
 }
 
 std::string check_frames(const std::string& word) {
@@ -108,11 +101,14 @@ void add_output_options(CLI::App& command, FrameOptions& options) {
 
 void add_frame_options(CLI::App& command, FrameOptions& options) {
   command
-      .add_option("runs", options.runs,
-                  "dump files (.gz too, \"-\": standard input); each argument is a run of its "
-                  "own, a quoted pattern 'dump.*' is one run with a file per step")
+      .add_option(
+          "runs", options.runs,
+          "dump files (.gz too, \"-\": standard input); files that differ only in their time "
+          "step are one run, and so is a quoted pattern 'dump.*'; every other file is a run")
       ->required();
-  command.add_flag("--one-run", options.one_run, "all files together are one run");
+  auto* one_run = command.add_flag("--one-run", options.one_run, "all files together are one run");
+  command.add_flag("--each-file", options.each_file, "every file is a run of its own")
+      ->excludes(one_run);
   command.add_option("--frame", options.frames, "last, first, all, or the time step of one frame")
       ->check(CLI::Validator(check_frames, "FRAME"))
       ->capture_default_str();
@@ -192,9 +188,8 @@ int for_chosen_frames(const FrameOptions& options,
                       const std::function<void(const ChosenFrame&)>& visit) {
   int code = exit_good;
   try {
-    const auto lists = file_lists(options);
-    for (std::size_t k = 0; k < lists.size(); ++k)
-      code = std::max(code, FrameChooser(options, options.runs[k], visit).read(lists[k]));
+    for (const Run& run : runs_of(options.runs, grouping_of(options)))
+      code = std::max(code, FrameChooser(options, run.name, visit).read(run.files));
   } catch (const InputError& error) {
     report_error(error.what());
     code = exit_bad_data;
@@ -220,5 +215,7 @@ void write_table(const FrameOptions& options, const Table& table) {
 }
 
 void report_error(const std::string& message) { fmt::print(stderr, "error: {}\n", message); }
+
+void report_warning(const std::string& message) { fmt::print(stderr, "warning: {}\n", message); }
 
 } // namespace ellipsoid::post

@@ -16,9 +16,9 @@ namespace ellipsoid::post {
 
 /// Files, frames and output of a command.
 struct FrameOptions {
-  std::vector<std::string> runs; ///< each a file, a quoted pattern: one run
-  bool one_run = false;          ///< all files together are one run
-  std::string frames = "last";   ///< "last", "first", "all", or a time step
+  std::vector<std::string> runs; ///< files and patterns, see runs_of
+  bool one_run = false, each_file = false;
+  std::string frames = "last"; ///< "last", "first", "all", or a time step
   ParticleOptions particles;
   std::string spacing_word = "paper";
   std::string csv, json; ///< paths; empty: not wanted
@@ -64,5 +64,7 @@ bool prints_text(const FrameOptions& options);
 
 /// Prints "error: ..." on standard error.
 void report_error(const std::string& message);
+/// Prints "warning: ..." on standard error.
+void report_warning(const std::string& message);
 
 } // namespace ellipsoid::post

@@ -1,6 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "pile_analysis.h"
 
+#include "pile_commands.h"
+
 namespace ellipsoid::post {
 
 const char* const pile_definition =
@@ -78,6 +80,26 @@ CoordinationOptions coordination_settings(const PileCommandOptions& options,
   result.count_walls = options.with_walls;
   result.walls = walls_of(pile);
   result.gap = options.contact_gap * mean_b;
+  return result;
+}
+
+PileResult analyse_pile(const PileCommandOptions& options, const ChosenFrame& chosen) {
+  const PileOptions settings = plane_settings(options.plane);
+  PileResult result{settings, find_pile(chosen.set, settings), std::nullopt, frame_row(chosen)};
+  const Pile& pile = result.pile;
+  warn_of_digits(chosen);
+  append_pile(result.row, chosen.set, pile, settings);
+  std::string why;
+  result.angle = try_repose(pile, settings, &why);
+  if (result.angle)
+    append_repose(result.row, *result.angle);
+  else
+    report_warning(chosen.run + ": no angle of repose: " + why);
+  append_porosity(result.row,
+                  plane_porosity(pile, settings, porosity_settings(options), result.angle));
+  const CoordinationOptions contacts = coordination_settings(options, settings, pile.mean_b);
+  append_coordination(result.row, coordination(chosen.set, pile.members, contacts), pile.mean_b);
+  append_rest(result.row, check_rest(chosen.set, pile.members, options.gravity));
   return result;
 }
 

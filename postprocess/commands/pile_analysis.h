@@ -29,6 +29,15 @@ CoordinationOptions coordination_settings(const PileCommandOptions& options,
 std::optional<ReposeAngle> try_repose(const Pile& pile, const PileOptions& options,
                                       std::string* why = nullptr);
 
+/// All measures of one frame.
+struct PileResult {
+  PileOptions settings;
+  Pile pile;
+  std::optional<ReposeAngle> angle;
+  Row row;
+};
+PileResult analyse_pile(const PileCommandOptions& options, const ChosenFrame& chosen);
+
 // What the commands say about their definitions in --help.
 extern const char* const repose_definition;
 extern const char* const porosity_definition;

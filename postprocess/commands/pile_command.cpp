@@ -13,26 +13,10 @@ struct PileTableOptions : PileCommandOptions {
 };
 
 Row pile_row(const PileTableOptions& options, const ChosenFrame& chosen) {
-  const PileOptions settings = plane_settings(options.plane);
-  const Pile pile = find_pile(chosen.set, settings);
-  warn_of_digits(chosen);
-  Row row = frame_row(chosen);
-  append_pile(row, chosen.set, pile, settings);
-  std::string why;
-  const std::optional<ReposeAngle> angle = try_repose(pile, settings, &why);
-  if (angle)
-    append_repose(row, *angle);
-  else
-    report_warning(chosen.run + ": no angle of repose: " + why);
-  append_porosity(row, plane_porosity(pile, settings, porosity_settings(options), angle));
-  append_coordination(
-      row,
-      coordination(chosen.set, pile.members, coordination_settings(options, settings, pile.mean_b)),
-      pile.mean_b);
-  append_rest(row, check_rest(chosen.set, pile.members, options.gravity));
+  const PileResult result = analyse_pile(options, chosen);
   if (!options.picture.empty())
-    write_pile_picture(options.picture, chosen, pile, settings, angle, {});
-  return row;
+    write_pile_picture(options.picture, chosen, result.pile, result.settings, result.angle, {});
+  return result.row;
 }
 
 } // namespace

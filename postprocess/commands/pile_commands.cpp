@@ -24,7 +24,8 @@ int run_pile_command(const FrameOptions& options, const std::string& title,
   try {
     write_table(options, table);
     if (prints_text(options) && table.rows.size() > 1 && options.frames != "all")
-      write_text("-", "\n" + summary_text(table, {"surface", "subspheres"}, summarised));
+      write_text("-",
+                 "\n" + as_text(summary_for_people(table, {"surface", "subspheres"}, summarised)));
   } catch (const InputError& error) {
     report_error(error.what());
     code = exit_bad_data;
@@ -38,7 +39,5 @@ void warn_of_digits(const ChosenFrame& chosen) {
   if (!warning.empty() && warned_files.insert(chosen.frame.place.file).second)
     report_warning(warning);
 }
-
-void report_warning(const std::string& message) { fmt::print(stderr, "warning: {}\n", message); }
 
 } // namespace ellipsoid::post

@@ -14,6 +14,4 @@ int run_pile_command(const FrameOptions& options, const std::string& title,
 /// Warns on standard error when the file's digits are too few for contacts.
 void warn_of_digits(const ChosenFrame& chosen);
 
-void report_warning(const std::string& message);
-
 } // namespace ellipsoid::post

@@ -14,12 +14,14 @@ void add_summary_command(CLI::App&, int&);
 void add_render_command(CLI::App&, int&);
 void add_template_command(CLI::App&, int&);
 void add_plot_command(CLI::App&, int&);
+void add_report_command(CLI::App&, int&);
 
 const CommandRow command_rows[] = {
     {"pile", add_pile_command},         {"repose", add_repose_command},
     {"porosity", add_porosity_command}, {"coordination", add_coordination_command},
     {"summary", add_summary_command},   {"render", add_render_command},
     {"template", add_template_command}, {"plot", add_plot_command},
+    {"report", add_report_command},
 };
 const unsigned command_count = sizeof(command_rows) / sizeof(command_rows[0]);
 

@@ -26,7 +26,7 @@ int summarise(const SummaryOptions& options) {
   if (summary.rows.empty())
     throw InputError("the CSV files have no rows");
   if (prints_text(options.output))
-    write_text("-", summary_text(runs, options.groups, options.quantities));
+    write_text("-", as_text(summary_for_people(runs, options.groups, options.quantities)));
   FrameOptions files = options.output;
   files.quiet = true;
   write_table(files, summary);

@@ -182,6 +182,19 @@ Series over_shape_factor(const Table& runs, const std::string& key, double aspec
   return result;
 }
 
+/// The paper's values relative to its ellipse over the area shape factor.
+Series reported_over_shape_factor(const std::vector<paper::Reported>& values, double aspect) {
+  Series result = series("paper, area (26)", {}, dark, Marker::triangle);
+  result.is_joined = false;
+  result.is_filled = false;
+  for (const auto& reported : values) // the first one is the ellipse
+    if (reported.subspheres > 1)
+      result.points.push_back(
+          {measure(make_multisphere(aspect, 1.0, reported.subspheres)).area_shape_factor,
+           reported.value / values.front().value, 0.0});
+  return result;
+}
+
 std::vector<Chart> figure_15(const Table& runs, double aspect) {
   std::vector<Chart> charts(2);
   const std::vector<std::string> keys = {"repose_angle_deg", "porosity"};
@@ -196,6 +209,8 @@ std::vector<Chart> figure_15(const Table& runs, double aspect) {
                           "area (26)", blue, Marker::circle),
         over_shape_factor(runs, keys[k], aspect, &MultisphereMeasures::perimeter_shape_factor,
                           "perimeter (27)", orange, Marker::square)};
+    charts[k].series.push_back(
+        reported_over_shape_factor(k == 0 ? paper::repose_angle : paper::porosity, aspect));
     charts[k].bands.push_back({"ellipse", 1.0, 0.0, dark, true});
   }
   return charts;

@@ -95,7 +95,7 @@ Spread spread_of(const std::vector<double>& values) {
   return s;
 }
 
-std::string summary_text(const Table& runs, const std::vector<std::string>& group_keys,
+Table summary_for_people(const Table& runs, const std::vector<std::string>& group_keys,
                          const std::vector<std::string>& quantities) {
   Table result{"Mean and margin (half range) over runs", {}};
   const std::vector<Quantity> header = runs.header();
@@ -113,7 +113,7 @@ std::string summary_text(const Table& runs, const std::vector<std::string>& grou
     }
     result.rows.push_back(std::move(row));
   }
-  return as_text(result);
+  return result;
 }
 
 Table summary_of(const Table& runs, const std::vector<std::string>& group_keys,

@@ -26,8 +26,8 @@ Spread spread_of(const std::vector<double>& values);
 Table summary_of(const Table& runs, const std::vector<std::string>& group_keys,
                  const std::vector<std::string>& quantities);
 
-/// The same for people: "22.7 +- 1.8 (8 %)".
-std::string summary_text(const Table& runs, const std::vector<std::string>& group_keys,
+/// The same for people, a cell for each quantity: "22.7 +- 1.8 (8 %)".
+Table summary_for_people(const Table& runs, const std::vector<std::string>& group_keys,
                          const std::vector<std::string>& quantities);
 
 } // namespace ellipsoid::post

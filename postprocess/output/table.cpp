@@ -16,15 +16,6 @@ namespace {
 template <class... Functions> struct Overloaded : Functions... { using Functions::operator()...; };
 template <class... Functions> Overloaded(Functions...) -> Overloaded<Functions...>;
 
-std::string shown(const Value& value) {
-  return std::visit(Overloaded{[](std::monostate) { return std::string("-"); },
-                               [](bool v) { return std::string(v ? "yes" : "no"); },
-                               [](std::int64_t v) { return fmt::format("{}", v); },
-                               [](double v) { return fmt::format("{:.5g}", v); },
-                               [](const std::string& v) { return v; }},
-                    value);
-}
-
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos)
     return text;
@@ -116,6 +107,15 @@ std::string beside(const Table& table, const std::vector<Quantity>& header, std:
 }
 
 } // namespace
+
+std::string shown(const Value& value) {
+  return std::visit(Overloaded{[](std::monostate) { return std::string("-"); },
+                               [](bool v) { return std::string(v ? "yes" : "no"); },
+                               [](std::int64_t v) { return fmt::format("{}", v); },
+                               [](double v) { return fmt::format("{:.5g}", v); },
+                               [](const std::string& v) { return v; }},
+                    value);
+}
 
 std::vector<Quantity> Table::header() const {
   std::vector<Quantity> result;

@@ -41,6 +41,9 @@ std::string as_json(const Table& table);
 /// Writes text to a file, or to standard output for "-". Throws InputError when it cannot.
 void write_text(const std::string& path, const std::string& text);
 
+/// A value for people: five digits; "-" where it is missing.
+std::string shown(const Value& value);
+
 /// The value of a row by its key, or nothing.
 const Value* find_value(const Row& row, const std::string& key);
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <glob.h>
+#include <map>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -65,6 +66,70 @@ std::vector<std::string> expand(const std::string& pattern) {
     throw InputError(fmt::format("{}: no file matches this pattern", pattern));
   std::sort(names.begin(), names.end(), natural_less);
   return names;
+}
+
+namespace {
+
+/// A name with its last run of digits as "*", and that number.
+struct NumberedName {
+  std::string pattern, number;
+};
+
+NumberedName numbered(const std::string& path) {
+  const std::size_t name =
+      path.find_last_of('/') == std::string::npos ? 0 : path.find_last_of('/') + 1;
+  std::size_t end = path.size();
+  while (end > name && !is_digit(path[end - 1]))
+    --end;
+  std::size_t begin = end;
+  while (begin > name && is_digit(path[begin - 1]))
+    --begin;
+  if (begin == end)
+    return {path, ""};
+  const std::size_t significant = std::min(path.find_first_not_of('0', begin), end - 1);
+  return {path.substr(0, begin) + "*" + path.substr(end),
+          path.substr(significant, end - significant)};
+}
+
+/// Whether the number in a file's name is the time step of its first frame.
+bool names_its_step(const std::string& path, const std::string& number) {
+  std::string_view line;
+  LineReader lines(open_bytes(path), path);
+  return lines.next(line) && line == "ITEM: TIMESTEP" && lines.next(line) && line == number;
+}
+
+} // namespace
+
+std::vector<Run> runs_of(const std::vector<std::string>& arguments, RunGrouping grouping) {
+  std::vector<Run> runs;
+  std::map<std::string, std::size_t> series; // run by pattern
+  for (const std::string& argument : arguments) {
+    const std::vector<std::string> files = expand(argument);
+    const bool is_pattern = files.size() != 1 || files.front() != argument;
+    if (grouping == RunGrouping::one_run && !runs.empty()) {
+      runs.front().files.insert(runs.front().files.end(), files.begin(), files.end());
+    } else if (grouping == RunGrouping::each_file) {
+      for (const std::string& file : files)
+        runs.push_back({file, {file}});
+    } else if (is_pattern || grouping == RunGrouping::one_run) {
+      runs.push_back({argument, files});
+    } else {
+      const NumberedName name = numbered(argument);
+      const bool is_step = !name.number.empty() && names_its_step(argument, name.number);
+      const auto known = is_step ? series.find(name.pattern) : series.end();
+      if (known != series.end()) {
+        runs[known->second].files.push_back(argument);
+        runs[known->second].name = name.pattern;
+      } else {
+        if (is_step)
+          series[name.pattern] = runs.size();
+        runs.push_back({argument, {argument}});
+      }
+    }
+  }
+  for (Run& run : runs)
+    std::sort(run.files.begin(), run.files.end(), natural_less);
+  return runs;
 }
 
 FrameStream::FrameStream(std::vector<std::string> files) : m_files(std::move(files)) {

@@ -13,6 +13,22 @@ namespace ellipsoid::post {
 /// without such signs is returned as it is. Throws InputError when nothing matches.
 std::vector<std::string> expand(const std::string& pattern);
 
+/// Files of one run and what to call it.
+struct Run {
+  std::string name;
+  std::vector<std::string> files;
+};
+
+enum class RunGrouping {
+  automatic, ///< a pattern is a run; so are files that differ only in a number that is the time
+             ///< step in the file (one file per step); every other file is a run of its own
+  each_file, ///< every file is a run
+  one_run,   ///< all files together are one run
+};
+
+/// Sorts the user's file names and patterns into runs, each in natural order.
+std::vector<Run> runs_of(const std::vector<std::string>& arguments, RunGrouping grouping);
+
 /// The frames of one run: one file with many frames, or many files in natural order.
 class FrameStream {
  public:

@@ -13,9 +13,10 @@ namespace tolerance {
 /// then exact to this angle times the largest radius of curvature, the overlap to its square.
 constexpr double normal_error = 1.0e-14;
 
-/// A step that moves the support points by less than this share of the smaller body's extent is
-/// not taken: the contact point is as exact already.
-constexpr double negligible_displacement = 1.0e-12;
+/// The last step is not followed by a new evaluation when it is below this angle (rad): contact
+/// point and overlap then come from the derivatives at hand, with errors of this angle squared; the
+/// reduced radius is that of the normal before the step, with an error of this angle (relative).
+constexpr double extrapolated_step = 1.0e-8;
 
 /// Longest accepted Newton step (rad): beyond it the quadratic model of the support
 /// functions of a slender body (aspect 20 turns its radius within 1/20 rad) says nothing.

@@ -84,7 +84,6 @@ struct TangentStep {
   double first = 0.0, second = 0.0;
   double slope = 0.0;          // derivative of phi along the step (length)
   double predicted_error = 0.; // of the normal after the step, if the step is a Newton step (rad)
-  double displacement = 0.;    // how far the support points move, relative to the smaller body
   bool newton = false;         // the Hessian was positive definite and the step not shortened
   double length() const { return std::sqrt(first * first + second * second); }
 };
@@ -118,7 +117,6 @@ TangentStep newton_step(const OverlapFunction& f, const TangentFrame& t,
     step.second *= tolerance::largest_step / length;
   }
   step.slope = g1 * step.first + g2 * step.second;
-  step.displacement = length * radii.trace() / std::fmin(f.support_i, f.support_j);
   const double condition = h.trace() * h.trace() * inverse;
   step.predicted_error = condition * f.radius_change_rate() * length * length;
   return step;
@@ -142,8 +140,9 @@ bool line_search(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3
   return false;
 }
 
+/// @param[in] det_sum det(W_i + W_j) at the contact (length^2)
 ContactGeometry assemble(const EllipsoidShape& i, const EllipsoidShape& j,
-                         const Vector3& centre_distance, const OverlapFunction& f,
+                         const Vector3& centre_distance, const OverlapFunction& f, double det_sum,
                          ContactStatus status, int iterations) {
   ContactGeometry c;
   c.status = status;
@@ -153,39 +152,58 @@ ContactGeometry assemble(const EllipsoidShape& i, const EllipsoidShape& j,
   c.point = 0.5 * (f.support_point_i + centre_distance - f.support_point_j);
   // det W = a^2 b^2 c^2 / s^4: the inverse of the Gaussian curvature
   const double s2_i = f.support_i * f.support_i, s2_j = f.support_j * f.support_j;
-  const double det_i = i.squared_axes_product / (s2_i * s2_i);
-  const double det_j = j.squared_axes_product / (s2_j * s2_j);
-  const double det_sum = curvature_radii_sum(i, j, f, TangentFrame(f.normal)).determinant();
+  c.curvature_radius_i = std::sqrt(i.squared_axes_product) / s2_i;
+  c.curvature_radius_j = std::sqrt(j.squared_axes_product) / s2_j;
   // Markauskas et al. 2010, eq. 19: 1 / (2 sqrt(A B)), with 4 A B = det(W_i^-1 + W_j^-1)
-  c.reduced_radius = std::sqrt(det_i * det_j / det_sum);
-  c.curvature_radius_i = std::sqrt(det_i);
-  c.curvature_radius_j = std::sqrt(det_j);
+  c.reduced_radius = c.curvature_radius_i * c.curvature_radius_j / std::sqrt(det_sum);
   return c;
+}
+
+/// The overlap function one very small step further, to second order of the step in all but the
+/// overlap, which is exact to third.
+OverlapFunction extrapolate(const EllipsoidShape& i, const EllipsoidShape& j,
+                            const OverlapFunction& f, const TangentFrame& t,
+                            const TangentStep& step) {
+  const Vector3 shift = step.first * t.first + step.second * t.second;
+  const auto move = [&shift](const SymmetricMatrix3& a, Vector3& point, double& support) {
+    const double along = dot(point, shift), inverse = 1.0 / support;
+    point += inverse * (a * shift - along * point); // W shift
+    support += along;
+  };
+  OverlapFunction g = f;
+  g.normal = normalized(f.normal + shift);
+  move(i.a_matrix, g.support_point_i, g.support_i);
+  move(j.a_matrix, g.support_point_j, g.support_j);
+  g.value += 0.5 * step.slope;
+  return g;
 }
 
 /// Local search from one normal; the result is a minimum of phi, or a proof of separation.
 ContactGeometry descend(const Vector3& start, const EllipsoidShape& i, const EllipsoidShape& j,
                         const Vector3& centre_distance, const SearchOptions& options) {
   OverlapFunction f(i, j, centre_distance, start);
+  const auto finish = [&](const OverlapFunction& at, double det_sum, ContactStatus otherwise,
+                          int iterations) {
+    return assemble(i, j, centre_distance, at, det_sum,
+                    at.value < 0.0 ? ContactStatus::separated : otherwise, iterations);
+  };
   for (int iteration = 0; iteration < options.newton_limit; ++iteration) {
-    if (options.goal == SearchGoal::contact && f.value < 0.0)
-      return assemble(i, j, centre_distance, f, ContactStatus::separated, iteration);
     const TangentFrame t(f.normal);
-    const TangentStep step = newton_step(f, t, curvature_radii_sum(i, j, f, t));
-    bool converged = step.newton && step.displacement <= tolerance::negligible_displacement;
-    if (!converged) {
-      converged = step.newton && step.predicted_error <= tolerance::normal_error;
-      const bool moved = line_search(i, j, centre_distance, t, step, f);
-      converged = converged || !moved;
-    }
-    if (converged)
-      return assemble(i, j, centre_distance, f,
-                      f.value < 0.0 ? ContactStatus::separated : ContactStatus::touching,
-                      iteration + 1);
+    const TangentMatrix radii = curvature_radii_sum(i, j, f, t);
+    if (options.goal == SearchGoal::contact && f.value < 0.0)
+      return finish(f, radii.determinant(), ContactStatus::separated, iteration);
+    const TangentStep step = newton_step(f, t, radii);
+    const bool last = step.newton && step.predicted_error <= tolerance::normal_error;
+    if (last && step.length() <= tolerance::extrapolated_step)
+      return finish(extrapolate(i, j, f, t, step), radii.determinant(), ContactStatus::touching,
+                    iteration + 1);
+    const bool moved = line_search(i, j, centre_distance, t, step, f);
+    if (last || !moved)
+      return finish(f, curvature_radii_sum(i, j, f, TangentFrame(f.normal)).determinant(),
+                    ContactStatus::touching, iteration + 1);
   }
-  return assemble(i, j, centre_distance, f,
-                  f.value < 0.0 ? ContactStatus::separated : ContactStatus::not_converged,
-                  options.newton_limit);
+  return finish(f, curvature_radii_sum(i, j, f, TangentFrame(f.normal)).determinant(),
+                ContactStatus::not_converged, options.newton_limit);
 }
 
 /// G^-1 d up to a positive factor, G = (1 - lambda) A_i + lambda A_j.

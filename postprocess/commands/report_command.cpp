@@ -1,0 +1,157 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "figures.h"
+#include "frame_stream.h"
+#include "html.h"
+#include "picture_options.h"
+#include "pile_analysis.h"
+#include "run_log.h"
+#include "statistics.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+
+namespace ellipsoid::post {
+namespace {
+
+struct ReportOptions : PileCommandOptions {
+  std::string output = "report.html";
+  std::string title = "Piling of ellipsoids";
+};
+
+const std::vector<std::string> groups = {"surface", "subspheres"};
+const std::vector<std::string> quantities = {"repose_angle_deg", "porosity", "zpp", "zss"};
+
+/// Folders stand for the dumps in them and in their folders: files whose names end in .dump or
+/// .dump.gz; one folder is one run.
+std::vector<std::string> with_folders_opened(const std::vector<std::string>& arguments) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> result;
+  for (const std::string& argument : arguments) {
+    std::error_code error;
+    if (!fs::is_directory(argument, error)) {
+      result.push_back(argument);
+      continue;
+    }
+    std::vector<std::string> found;
+    for (const auto& entry : fs::recursive_directory_iterator(argument, error)) {
+      const std::string name = entry.path().filename().string();
+      if (name.find(".dump") != std::string::npos && entry.is_regular_file(error))
+        found.push_back(entry.path().string());
+    }
+    if (found.empty())
+      throw InputError(fmt::format("{}: no file *.dump in this folder", argument));
+    std::sort(found.begin(), found.end());
+    result.insert(result.end(), found.begin(), found.end());
+  }
+  return result;
+}
+
+/// Everything that is collected from the runs.
+struct Findings {
+  Table runs{"", {}};
+  Table logs{"", {}};
+  std::string pictures;
+};
+
+Row log_row(const std::string& run, const RunLog& log) {
+  Row row = {{"run", "run", "", run},
+             {"version", "version", "", log.version},
+             {"ranks", "ranks", "", static_cast<std::int64_t>(log.ranks)},
+             {"loop_time_s", "run time", "s", log.loop_time}};
+  for (const auto& [name, value] : log.variables)
+    row.push_back({"variable_" + name, name, "", value});
+  return row;
+}
+
+void visit(const ReportOptions& options, const ChosenFrame& chosen, Findings& findings) {
+  const PileResult result = analyse_pile(options, chosen);
+  findings.runs.rows.push_back(result.row);
+  PilePictureOptions picture;
+  picture.title =
+      fmt::format("{} particles, time step {}", chosen.set.particles.size(), chosen.frame.timestep);
+  findings.pictures += html_picture(draw_pile(PictureFormat::svg, chosen.frame, chosen.set,
+                                              result.pile, result.settings, result.angle, picture),
+                                    chosen.run);
+  const std::string log = log_beside(chosen.frame.place.file);
+  if (!log.empty())
+    findings.logs.rows.push_back(log_row(chosen.run, read_run_log(log)));
+}
+
+/// The figures that these runs can fill.
+std::string figures_of(const Table& runs) {
+  std::string html;
+  for (const int number : {12, 13, 15}) {
+    try {
+      const auto charts = figure(number, runs, 2.7 / 1.15);
+      html += html_picture(
+          draw_charts(PictureFormat::svg, charts, 900 * static_cast<int>(charts.size()), 700),
+          fmt::format("Figure {} of the paper, with its values from the text", number));
+    } catch (const InputError& error) {
+      report_warning(error.what());
+    }
+  }
+  return html;
+}
+
+std::string page(const ReportOptions& options, const Findings& findings) {
+  std::string body = "<h2>Mean and margin over runs</h2>\n";
+  body += html_table(summary_for_people(findings.runs, groups, quantities));
+  body += "<p>Margins are half ranges, as in the paper. The paper's smooth ellipse: angle of "
+          "repose 22.7 &plusmn; 1.8&deg;, porosity 0.13 &plusmn; 4.0 %, coordination number 3.90 "
+          "&plusmn; 2.5 %; 17 sub-spheres: 23.3&deg;, 0.14, 3.90; 5 sub-spheres: 26.6&deg; (one "
+          "run); 3 sub-spheres: 29.1&deg;, 0.25.</p>\n";
+  body += "<h2>Figures</h2>\n" + figures_of(findings.runs);
+  body += "<h2>Runs</h2>\n" + html_table(findings.runs);
+  body += "<h2>Piles</h2>\n" + findings.pictures;
+  if (!findings.logs.rows.empty())
+    body += "<h2>Parameters, versions, run times</h2>\n" + html_table(findings.logs);
+  body += fmt::format("<h2>Definitions</h2>\n<p>{}</p>\n<p>{}</p>\n<p>{}</p>\n<p>{}</p>\n",
+                      html_safe(pile_definition), html_safe(repose_definition),
+                      html_safe(porosity_definition), html_safe(coordination_definition));
+  return html_page(options.title, body);
+}
+
+int report(ReportOptions& options) {
+  options.frames.runs = with_folders_opened(options.frames.runs);
+  Findings findings;
+  const int code = for_chosen_frames(
+      options.frames, [&](const ChosenFrame& chosen) { visit(options, chosen, findings); });
+  if (findings.runs.rows.empty())
+    throw InputError("no run could be measured: there is no report");
+  write_text(options.output, page(options, findings));
+  fmt::print(stderr, "report: {}\n", options.output);
+  write_table(options.frames, findings.runs);
+  return code;
+}
+
+} // namespace
+
+void add_report_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* command =
+      program.add_subcommand("report", "one HTML page for many runs: tables, figures, pictures");
+  command->footer(
+      "A folder stands for all *.dump files in it and below it. Parameters, version and "
+      "run time come from the log file (log.* or *.log) beside each run's dump. The "
+      "page holds its pictures itself and loads nothing.");
+  add_frame_options(*command, options->frames);
+  add_plane_options(*command, options->plane);
+  add_porosity_options(*command, *options);
+  add_coordination_options(*command, *options);
+  add_rest_options(*command, *options);
+  command->add_option("--output,-o", options->output, "file name")->capture_default_str();
+  command->add_option("--title", options->title, "heading of the page")->capture_default_str();
+  command->callback([options, &exit_code] {
+    options->frames.quiet = true;
+    try {
+      exit_code = report(*options);
+    } catch (const InputError& error) {
+      report_error(error.what());
+      exit_code = exit_bad_data;
+    }
+  });
+}
+
+} // namespace ellipsoid::post

@@ -1,0 +1,78 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "html.h"
+
+#include <cstdint>
+#include <fmt/format.h>
+
+namespace ellipsoid::post {
+namespace {
+
+std::string base64(const std::string& bytes) {
+  constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t k = 0; k < bytes.size(); k += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      group = group << 8 | (k + i < bytes.size() ? static_cast<unsigned char>(bytes[k + i]) : 0u);
+    for (std::size_t i = 0; i < 4; ++i)
+      text += k + i > bytes.size() ? '=' : letters[group >> (18 - 6 * i) & 63u];
+  }
+  return text;
+}
+
+} // namespace
+
+std::string html_safe(const std::string& text) {
+  std::string safe;
+  for (const char letter : text) {
+    if (letter == '<')
+      safe += "&lt;";
+    else if (letter == '>')
+      safe += "&gt;";
+    else if (letter == '&')
+      safe += "&amp;";
+    else
+      safe += letter;
+  }
+  return safe;
+}
+
+std::string html_table(const Table& table) {
+  const auto header = table.header();
+  std::string text = "<table>\n<tr>";
+  for (const Quantity& q : header)
+    text += fmt::format("<th>{}{}</th>", html_safe(q.name),
+                        q.unit.empty() ? "" : " [" + html_safe(q.unit) + "]");
+  text += "</tr>\n";
+  for (const Row& row : table.rows) {
+    text += "<tr>";
+    for (const Quantity& q : header) {
+      const Value* value = find_value(row, q.key);
+      text += "<td>" + html_safe(value ? shown(*value) : "-") + "</td>";
+    }
+    text += "</tr>\n";
+  }
+  return text + "</table>\n";
+}
+
+std::string html_picture(const std::string& svg, const std::string& description) {
+  return fmt::format("<figure><img alt=\"{0}\" src=\"data:image/svg+xml;base64,{1}\">"
+                     "<figcaption>{0}</figcaption></figure>\n",
+                     html_safe(description), base64(svg));
+}
+
+std::string html_page(const std::string& title, const std::string& body) {
+  constexpr const char* style =
+      "body{font:16px/1.5 sans-serif;max-width:76rem;margin:2rem auto;padding:0 1rem;color:#22262b}"
+      "table{border-collapse:collapse;margin:1rem 0;font-size:.85rem;display:block;overflow-x:auto}"
+      "th,td{border-bottom:1px solid #d8dbe0;padding:.3rem .7rem;text-align:right}"
+      "th:first-child,td:first-child{text-align:left}th{background:#f2f4f7}"
+      "figure{margin:1.5rem 0}img{max-width:100%;border:1px solid #e3e6ea}"
+      "figcaption{color:#555;font-size:.9rem}";
+  return fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">"
+                     "<title>{0}</title><style>{1}</style></head>\n<body>\n<h1>{0}</h1>\n{2}"
+                     "</body>\n</html>\n",
+                     html_safe(title), style, body);
+}
+
+} // namespace ellipsoid::post

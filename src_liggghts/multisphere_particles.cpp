@@ -1,0 +1,78 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "multisphere_particles.h"
+
+#include "atom.h"
+#include "ellipsoid_host.h"
+#include "error.h"
+#include "fix_property_atom.h"
+#include "modify.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+using namespace LAMMPS_NS;
+
+namespace ellipsoid_host {
+
+namespace {
+
+/// Aspect ratios closer than this are the same chain: far below any shape's tolerance.
+constexpr double aspect_resolution = 1e-12;
+
+const double* per_atom(Modify* modify, const char* name) {
+  Fix* fix = modify->find_fix_property(name, "property/atom", "scalar", 0, 0,
+                                       "surface multisphere", false);
+  return fix ? static_cast<FixPropertyAtom*>(fix)->vector_atom : nullptr;
+}
+
+} // namespace
+
+void MultisphereParticles::find_properties() {
+  subspheres_ = per_atom(modify, "subspheres");
+  spacing_ = per_atom(modify, "spacing");
+  if (!subspheres_)
+    error->all(FLERR, "surface multisphere: no particle has sub-spheres; use keyword 'subspheres' of "
+                      "fix particletemplate/ellipsoid, or fix property/atom subspheres");
+}
+
+const ellipsoid::SphereChain* MultisphereParticles::chain(int i) {
+  const double* axes = atom->shape[i];
+  const int count = static_cast<int>(std::lround(subspheres_[i]));
+  const int spacing = spacing_ ? static_cast<int>(std::lround(spacing_[i])) : 0;
+  const double aspect = axes[0] / axes[1];
+  auto& entry = chains_[Key(std::llround(aspect / aspect_resolution), count, spacing)];
+  if (entry)
+    return entry.get();
+  try {
+    if (axes[1] != axes[2])
+      throw std::invalid_argument("the semi-axes b and c differ; multi-spheres need b = c");
+    entry.reset(new ellipsoid::SphereChain(make_multisphere(
+        aspect, 1.0, count, static_cast<ellipsoid::SphereSpacing>(spacing))));
+  } catch (const std::invalid_argument& problem) {
+    error->one(FLERR, ("surface multisphere, atom " + std::to_string(atom->tag[i]) + ": " +
+                       problem.what())
+                          .c_str());
+  }
+  return entry.get();
+}
+
+ellipsoid::ChainPose MultisphereParticles::make_pose(int i) {
+  if (!subspheres_)
+    find_properties();
+  ellipsoid::ChainPose pose;
+  pose.chain = chain(i);
+  pose.axis = ellipsoid::rotation(quaternion(atom->quaternion[i])).column_x;
+  pose.scale = atom->shape[i][1];
+  return pose;
+}
+
+void MultisphereParticles::update() {
+  find_properties();
+  const int count = atom->nlocal + atom->nghost;
+  poses_.resize(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i)
+    poses_[static_cast<std::size_t>(i)] = make_pose(i);
+}
+
+} // namespace ellipsoid_host

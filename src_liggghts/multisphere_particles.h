@@ -1,0 +1,43 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// The chains of spheres of all particles.
+#ifndef ELLIPSOID_MULTISPHERE_PARTICLES_H
+#define ELLIPSOID_MULTISPHERE_PARTICLES_H
+
+#include "multisphere_contact.h"
+#include "pointers.h"
+
+#include <map>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+namespace ellipsoid_host {
+
+/// Which chain a particle has is stored per atom: fix property/atom `subspheres` (N) and `spacing`
+/// (the number of SphereSpacing; all 0 if that fix is missing). Particles of equal aspect ratio,
+/// N and spacing share one chain.
+class MultisphereParticles : private LAMMPS_NS::Pointers {
+public:
+  explicit MultisphereParticles(LAMMPS_NS::LAMMPS* lmp) : Pointers(lmp) {}
+
+  /// Poses of all owned and ghost particles; to be called once per time step.
+  void update();
+  const ellipsoid::ChainPose& pose(int i) const { return poses_[static_cast<std::size_t>(i)]; }
+  /// Pose of one owned particle, without update().
+  ellipsoid::ChainPose make_pose(int i);
+
+private:
+  using Key = std::tuple<long long, int, int>; // aspect ratio in units of 1e-12, N, spacing
+  std::map<Key, std::unique_ptr<ellipsoid::SphereChain>> chains_;
+  std::vector<ellipsoid::ChainPose> poses_;
+  const double* subspheres_ = nullptr;
+  const double* spacing_ = nullptr;
+
+  void find_properties();
+  const ellipsoid::SphereChain* chain(int i);
+};
+
+} // namespace ellipsoid_host
+
+#endif
