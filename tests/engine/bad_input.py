@@ -130,28 +130,21 @@ def pair_rows():
 
 def wall_rows():
     c = "wall"
-    return (replaced(c, "direction", ["sideways", "0", "nan"]) + ended(c, "direction", 0)
-            + replaced(c, "type", ["0", "-1", "2", "abc", "1.5"])
-            + replaced(c, "yplane", ["abc", "1e-3x", "nan", "inf"]) + ended(c, "yplane", 0)
-            + ended(c, "type", 0) + ended(c, "primitive", 0)
+    return (replaced(c, "direction", ["sideways", "0", "nan"])
+            + replaced(c, "type", [*NOT_AN_INTEGER, "0", "-1", "2"]) + ended(c, "type", 0)
+            + replaced(c, "yplane", NOT_A_NUMBER) + ended(c, "yplane", 0)
+            + replaced(c, "primitive", ["kind"]) + ended(c, "primitive", 0)
             + [(c, GOOD[c].replace("yplane 0.0", "qplane 0.0"), "qplane", ""),
                (c, GOOD[c].replace("yplane 0.0", "ycylinder 0.01 0 0"), "ycylinder", ""),
                (c, GOOD[c].replace("surface smooth ", ""), "surface", ""),
-               (c, GOOD[c].replace("surface smooth", "surface default"), "surface", ""),
-               (c, GOOD[c].replace("model hertz/viscous", "model hertz/nothing"), "model", ""),
-               (c, GOOD[c].replace("primitive type 1 yplane 0.0 direction displacement",
-                                   "mesh n_meshes 1 meshes m1"), "mesh", "")]
-            + more(c, "colour red", "colour", ""))
+               (c, GOOD[c].replace("surface smooth", "surface default"), "surface", "")])
 
 
 def damping_rows():
     rows = []
     for c in "damping n", "damping t":
-        style, start = STYLE[c], GOOD[c].rsplit(" ", 1)[0]
-        rows += [(c, f"{start} {v}", style, v.rstrip("0").rstrip(".")) for v in ("-1.0", "nan", "inf")]
-        rows += [(c, f"{start} {v}", style, "") for v in ("abc", "1e-3x")]
-        rows += [(c, start, style, ""), (c, f"{start} 1.0 2.0", style, ""),
-                 (c, "# left out", style, "")]
+        start = GOOD[c].rsplit(" ", 1)[0]
+        rows += [(c, f"{start} {v}", STYLE[c], v) for v in ("-1", "-1e+06")]
     return rows
 
 
@@ -165,7 +158,7 @@ def data_rows():
     rows += [(n, v) for n in ("a", "b", "c", "mass", "I1", "I2", "I3")
              for v in ("0", "-1e-3", "abc", "1e-3x", "nan", "inf")]
     rows += [(n, v) for n in ("q0", "q1", "q2", "q3") for v in ("abc", "0.1x", "nan", "inf")]
-    return rows + [(n, v) for n in "xyz" for v in ("abc", "1e-3x", "nan", "inf")]
+    return rows + [(n, v) for n in "xyz" for v in ("abc", "1e-3x")]
 
 
 def tabled_runs():
