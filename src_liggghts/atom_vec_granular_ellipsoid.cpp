@@ -53,6 +53,13 @@ void AtomVecGranularEllipsoid::data_atom(double* position, tagint image, char** 
                        "', allowed are integers from 1 to " + std::to_string(atom->ntypes))
                           .c_str());
   const double tag = positive(error, id, "id", id);
+  if (tag != std::floor(tag) || tag > MAXTAGINT)
+    error->one(FLERR, (std::string("Atoms section, atom ") + id + ": column id has the value '" + id +
+                       "', allowed is an integer > 0")
+                          .c_str());
+  static const char* const place_names[3] = {"x", "y", "z"};
+  for (int k = 0; k < 3; ++k) // the host has read these as far as they are numbers
+    number(error, values[2 + k], place_names[k], id);
   create_atom(static_cast<int>(type), position);
   const int i = atom->nlocal - 1;
   atom->tag[i] = static_cast<int>(tag);

@@ -61,7 +61,9 @@ public:
     const bool success = settings.parseArguments(narg, arg);
     model_.postSettings(setup);
     if (!success)
-      error->all(FLERR, ("pair_style gran/ellipsoid: " + settings.error_message).c_str());
+      error->all(FLERR, ("pair_style gran/ellipsoid: " + settings.error_message +
+                         "; give settings of the chosen models, each with its value")
+                            .c_str());
   }
 
   void write_restart_settings(FILE* file) override {

@@ -49,12 +49,9 @@ MatrixProperty* viscous_damping_tangential(PropertyRegistry& registry, const cha
   return non_negative_per_type_pair(registry, "viscousDampingTangential", caller);
 }
 
-ArgumentReader::ArgumentReader(Error* error, Fix* fix, int count, char** arguments, int first)
-    : error_(error), fix_(fix), count_(count), arguments_(arguments), index_(first) {}
-
 void ArgumentReader::complain(const std::string& message) const {
-  error_->fix_error(FLERR, fix_, message.c_str());
-  std::abort(); // not reached: fix_error ends the program
+  error_->all(FLERR, (title_ + message).c_str());
+  std::abort(); // not reached: the call above ends the program
 }
 
 std::string ArgumentReader::keyword() { return arguments_[index_++]; }
@@ -84,7 +81,7 @@ double ArgumentReader::number(const std::string& keyword, double smallest, doubl
 double ArgumentReader::positive(const std::string& keyword) {
   const double value = number(keyword, -HUGE_VAL, HUGE_VAL);
   if (value <= 0.0)
-    complain("keyword '" + keyword + "' has the value '" + readable(value) +
+    complain("keyword '" + keyword + "' has the value '" + arguments_[index_ - 1] +
              "', allowed is a finite number > 0");
   return value;
 }

@@ -82,7 +82,13 @@ class ArgumentReader {
 public:
   /// @param[in] first index of the first argument to read
   ArgumentReader(LAMMPS_NS::Error* error, LAMMPS_NS::Fix* fix, int count, char** arguments,
-                 int first);
+                 int first)
+      : ArgumentReader(error, fix->style, fix->id, count, arguments, first) {}
+  /// For arguments that are read before the fix exists.
+  ArgumentReader(LAMMPS_NS::Error* error, const std::string& style, const std::string& id, int count,
+                 char** arguments, int first)
+      : error_(error), title_("Fix " + style + " (id " + id + "): "), count_(count),
+        arguments_(arguments), index_(first) {}
 
   bool done() const { return index_ >= count_; }
   /// The next argument as a keyword.
@@ -103,7 +109,7 @@ public:
 
 private:
   LAMMPS_NS::Error* error_;
-  LAMMPS_NS::Fix* fix_;
+  std::string title_;
   int count_;
   char** arguments_;
   int index_;

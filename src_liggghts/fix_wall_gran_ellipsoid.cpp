@@ -9,25 +9,39 @@
 #include "primitive_wall.h"
 
 #include <algorithm>
-#include <cstring>
+#include <cmath>
 #include <string>
+#include <vector>
 
 using namespace LAMMPS_NS;
 using ellipsoid_host::store;
 using ellipsoid_host::vector;
 
+namespace {
+
+/// The host reads 'primitive type T PLANE POS' without looking whether the words are there, and says
+/// little about wrong ones; so they are checked before it does. Returns `arg`.
+char** checked(LAMMPS* lmp, int narg, char** arg) {
+  ellipsoid_host::ArgumentReader reader(lmp->error, "wall/gran/ellipsoid", arg[0], narg, arg, 3);
+  while (!reader.done())
+    if (reader.keyword() == "primitive") {
+      reader.choice("primitive", {"type"});
+      reader.integer("type", 1, lmp->atom->ntypes);
+      const std::vector<std::string> planes{"xplane", "yplane", "zplane"};
+      const auto plane = static_cast<std::size_t>(reader.choice("primitive type T", planes));
+      reader.number(planes[plane], -HUGE_VAL, HUGE_VAL);
+    }
+  return arg;
+}
+
+} // namespace
+
 FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg)
-    : FixWallGran(lmp, narg, arg), particles_(lmp) {
+    : FixWallGran(lmp, narg, checked(lmp, narg, arg)), particles_(lmp) {
   if (is_mesh_wall())
     error->fix_error(FLERR, this,
                      "style 'mesh' is not available for ellipsoids; use 'primitive type T "
                      "xplane|yplane|zplane POS'");
-  for (int k = 0; k < narg; ++k)
-    if (std::strstr(arg[k], "cylinder"))
-      error->fix_error(FLERR, this,
-                       (std::string("primitive '") + arg[k] +
-                        "' is not available for ellipsoids; use 'xplane', 'yplane' or 'zplane'")
-                           .c_str());
   multisphere_ = impl->contact_match("surface", "multisphere");
   if (!multisphere_ && !impl->contact_match("surface", "smooth"))
     error->fix_error(FLERR, this,

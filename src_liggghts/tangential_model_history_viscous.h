@@ -16,6 +16,7 @@ TANGENTIAL_MODEL(TANGENTIAL_HISTORY_VISCOUS,history/viscous,40)
 #include "update.h"
 
 #include <cmath>
+#include <string>
 
 namespace LIGGGHTS {
 namespace ContactModels {
@@ -28,6 +29,14 @@ public:
     addOption("displacement", ellipsoid::SlipDirection::displacement);
     addOption("velocity", ellipsoid::SlipDirection::velocity);
     setDefault("displacement");
+  }
+
+  int parseArguments(char** args) override {
+    const int consumed = EnumSetting<ellipsoid::SlipDirection>::parseArguments(args);
+    if (consumed < 0)
+      error_message = std::string("keyword 'direction' has the value '") + args[1] +
+                      "', allowed is one of 'displacement', 'velocity'";
+    return consumed;
   }
 };
 

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# A small campaign that is killed on the way and started again gives the same figures, to the last
+# digit, as one that was left alone.
+set -euo pipefail
+variables=(-var particles 15 -var y0 0.03 -var dt 1e-5 -var settle 0.4 -var dump_time 0.5
+  -var restart_time 0.05 -var vtk no)
+matrix=(--surfaces "smooth 5" --seeds "1 2")
+
+campaign() {
+  bash "$ELLIPSOID_SOURCE/inputs/campaign.sh" --out "$1" "${matrix[@]}" --jobs 2 -- "${variables[@]}"
+}
+
+fail() {
+  echo "FAILED: $*" >&2
+  exit 1
+}
+
+echo "--- left alone"
+campaign alone
+[[ -s alone/report.html && -s alone/summary.csv ]] || fail "no report"
+
+echo "--- killed"
+setsid bash "$ELLIPSOID_SOURCE/inputs/campaign.sh" --out killed "${matrix[@]}" --jobs 2 -- \
+  "${variables[@]}" >killed.out 2>&1 &
+campaign_group=$!
+for _ in $(seq 600); do # until both of the runs that go first can be resumed
+  [[ -s killed/smooth_seed1/restart.1 && -s killed/smooth_seed2/restart.1 ]] && break
+  sleep 0.1
+done
+kill -KILL -- "-$campaign_group"
+wait "$campaign_group" 2>/dev/null || true
+[[ ! -e killed/report.html ]] || fail "the campaign was over before it could be killed"
+
+echo "--- resumed"
+campaign killed
+for run in smooth_seed1 smooth_seed2 ms5_seed1 ms5_seed2; do
+  # all columns but the first, which is the name of the run
+  cmp <(cut -d, -f2- "alone/$run/pile.csv") <(cut -d, -f2- "killed/$run/pile.csv") ||
+    fail "$run differs"
+done
+
+echo "--- wrong use"
+if bash "$ELLIPSOID_SOURCE/inputs/campaign.sh" --out x --surfaces round 2>message; then
+  fail "a wrong surface was accepted"
+fi
+grep -q "surface 'round' is neither" message || fail "the message does not say what is wrong"
+echo "passed"
