@@ -16,7 +16,7 @@ namespace {
 std::vector<std::string> corpus() {
   std::vector<std::filesystem::path> paths;
   for (const auto& entry : std::filesystem::directory_iterator(
-           std::filesystem::path(__FILE__).parent_path() / "../../postprocess/fuzz/corpus"))
+           std::filesystem::path(ELLIPSOID_TEST_DATA) / "../postprocess/fuzz/corpus"))
     paths.push_back(entry.path());
   std::sort(paths.begin(), paths.end());
   std::vector<std::string> texts;
