@@ -30,12 +30,41 @@ std::vector<Point> flank_columns(const Pile& pile, const PileOptions& options, F
   return columns;
 }
 
-/// Number of columns up to and with the outermost one that reaches a height.
-std::size_t outermost(const std::vector<Point>& columns, double height) {
-  std::size_t count = columns.size();
-  while (count > 0 && columns[count - 1].y() < height)
-    --count;
-  return count;
+/// Heights of the columns, each averaged over `reach` columns to both sides (as far as there are).
+std::vector<double> smoothed(const std::vector<Point>& columns, std::size_t reach) {
+  std::vector<double> sums(columns.size() + 1, 0.0);
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    sums[k + 1] = sums[k] + columns[k].y();
+  std::vector<double> means(columns.size());
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const std::size_t first = k > reach ? k - reach : 0;
+    const std::size_t last = std::min(columns.size(), k + reach + 1);
+    means[k] = (sums[last] - sums[first]) / static_cast<double>(last - first);
+  }
+  return means;
+}
+
+/// Columns from A to B.
+struct Segment {
+  std::size_t first = 0, end = 0;
+};
+
+Segment middle_segment(const std::vector<Point>& columns, const Pile& pile,
+                       const PileOptions& options) {
+  if (columns.empty())
+    return {};
+  const double reach = pile.mean_a / (options.column_spacing * pile.mean_b);
+  const std::vector<double> heights = smoothed(columns, static_cast<std::size_t>(reach));
+  const auto top = std::max_element(heights.begin(), heights.end());
+  const double height = *top - options.floor;
+  const auto first_below = [&](std::vector<double>::const_iterator from, double share) {
+    return std::find_if(from, heights.cend(),
+                        [&](double y) { return y < options.floor + share * height; });
+  };
+  const auto a = first_below(top, 1.0 - options.cut_top);
+  const auto b = first_below(a, options.cut_bottom);
+  return {static_cast<std::size_t>(a - heights.cbegin()),
+          static_cast<std::size_t>(b - heights.cbegin())};
 }
 
 } // namespace
@@ -65,16 +94,14 @@ LineFit fit_line(const std::vector<Point>& points) {
 
 ReposeAngle repose_angle(const Pile& pile, const PileOptions& options, Flank flank) {
   const std::vector<Point> columns = flank_columns(pile, options, flank);
-  const double height = pile.surface.summit().y() - options.floor;
-  const std::size_t a = outermost(columns, options.floor + (1.0 - options.cut_top) * height);
-  const std::size_t b = outermost(columns, options.floor + options.cut_bottom * height);
-  const std::size_t first = a > 0 ? a - 1 : 0;
-  if (b < first + 3)
-    throw InputError(fmt::format("the free surface has {} columns between A and B, at least 3 are "
-                                 "needed: the pile is too small, or lower --cut and --columns",
-                                 b > first ? b - first : 0));
+  const auto [first, end] = middle_segment(columns, pile, options);
+  if (end < first + 3)
+    throw InputError(
+        fmt::format("the free surface has {} columns between A and B, at least 3 are "
+                    "needed: the pile is too small, or lower --cut-bottom and --cut-top",
+                    end - first));
   const std::vector<Point> segment(columns.begin() + static_cast<std::ptrdiff_t>(first),
-                                   columns.begin() + static_cast<std::ptrdiff_t>(b));
+                                   columns.begin() + static_cast<std::ptrdiff_t>(end));
   ReposeAngle result;
   result.line = fit_line(segment);
   result.columns = segment.size();

@@ -32,10 +32,12 @@ enum class Flank { right, left };
 
 /// Angle of repose of one flank: least squares line through the free surface between A and B.
 ///
-/// With the pile's height H (summit over floor), B is the outermost column with
-/// y_max >= floor + cut_bottom H and A the outermost one with y_max >= floor + (1 - cut_top) H;
-/// the line is fitted to y_max(x) in equidistant columns from A to B. Columns on one particle are
-/// not independent: the standard error counts as many as particle lengths 2a fit in the segment.
+/// h(x) is the mean of y_max over x +- a (a: mean largest semi-axis), H its largest value over the
+/// floor, at x_H. A is the first column from x_H downhill with h < (1 - cut_top) H, B the last one
+/// before h falls below cut_bottom H for the first time: what lies beyond (a layer on the floor,
+/// heaps of rolled-off particles) is not looked at. The line is fitted to y_max(x) itself in
+/// equidistant columns from A to B. Columns on one particle are not independent: the standard
+/// error counts as many as particle lengths 2a fit in the segment.
 /// Throws InputError when the segment has less than 3 columns.
 ReposeAngle repose_angle(const Pile& pile, const PileOptions& options, Flank flank);
 
