@@ -55,6 +55,14 @@ InputError bad_value(const Frame& frame, std::size_t row, const std::string& exp
   return unexpected(place, expected, found);
 }
 
+/// A number of a particle, type or body: a whole number that a double holds exactly.
+std::int64_t whole_number(const Frame& frame, std::size_t row, const char* what, double value) {
+  constexpr double largest = 9.0e15;
+  if (value != std::floor(value) || std::abs(value) > largest)
+    throw bad_value(frame, row, fmt::format("a whole number ({})", what), fmt::format("{}", value));
+  return static_cast<std::int64_t>(value);
+}
+
 /// Positions in the box: plain, unwrapped or scaled coordinates.
 class Positions {
  public:
@@ -201,8 +209,9 @@ class CommonColumns {
   Particle at(std::size_t row) const {
     Particle p;
     p.row = row;
-    p.id = m_id ? static_cast<std::int64_t>((*m_id)[row]) : static_cast<std::int64_t>(row) + 1;
-    p.type = m_type ? static_cast<int>((*m_type)[row]) : 1;
+    p.id =
+        m_id ? whole_number(m_frame, row, "id", (*m_id)[row]) : static_cast<std::int64_t>(row) + 1;
+    p.type = m_type ? whole_number(m_frame, row, "type", (*m_type)[row]) : 1;
     p.mass = m_mass ? (*m_mass)[row] : 0.0;
     p.centre = m_position.at(row);
     for (const double x : {p.centre.x, p.centre.y, p.centre.z})
@@ -280,7 +289,7 @@ ParticleSet host_multispheres(const Frame& frame, const std::vector<double>& bod
   std::map<std::int64_t, std::vector<std::size_t>> rows_of_body;
   std::int64_t single = -1; // rows of no body are spheres of their own
   for (const std::size_t row : rows_by_id(frame)) {
-    const auto body = static_cast<std::int64_t>(body_of_row[row]);
+    const std::int64_t body = whole_number(frame, row, "body", body_of_row[row]);
     rows_of_body[body > 0 ? body : single--].push_back(row);
   }
   ParticleSet set;

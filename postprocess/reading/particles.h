@@ -20,7 +20,7 @@ struct Sphere {
 
 struct Particle {
   std::int64_t id = 0;
-  int type = 1;
+  std::int64_t type = 1;
   double mass = 0.0; ///< 0 when the file has none
   Vector3 centre, velocity, angular_velocity;
   Quaternion orientation;
