@@ -47,7 +47,7 @@ class EnergyBox(unittest.TestCase):
         script += f"""compute search all contacts/ellipsoid
 compute turning all erotate/superquadric
 fix mean all ave/time 1 {STEPS} {STEPS} c_search[1] file contacts.txt
-thermo_style custom step ke c_turning c_search[1] c_search[5]
+thermo_style custom step ke c_turning c_search[1] c_search[6]
 thermo 100
 thermo_modify norm no lost error format float %.16g
 run {STEPS}
