@@ -16,9 +16,8 @@ const char* const repose_definition =
     "Angle of repose (paper, section 4.2.1): atan(-slope) of the least squares line "
     "y = p + slope x through y_max(x), in columns 0.05 b apart (--columns), from A to B. "
     "With H the summit's height, B is the outermost column with y_max >= cut_bottom H and A the "
-    "outermost one with y_max >= (1 - cut_top) H; both cuts are 0.2: the tails at top and bottom "
-    "are about four particles long in the paper's pile, 0.2 H keeps clear of them and leaves 60 % "
-    "of the slope.\n"
+    "outermost one with y_max >= (1 - cut_top) H; both cuts are 0.2 by default: about four "
+    "particle lengths at top and bottom of the paper's pile of 1000, 60 % of the slope remain.\n"
     "Standard error: s / sqrt(S_xx) sqrt(n / m) / (1 + slope^2), s^2 = sum of squared residuals / "
     "(n - 2), n columns, m = length of A-B over 2a: columns on one particle are not independent.";
 

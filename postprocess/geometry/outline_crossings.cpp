@@ -20,14 +20,16 @@ constexpr double same_outline = 1.0e-12;
 struct TrigonometricPolynomial {
   double k = 0.0, c1 = 0.0, s1 = 0.0, c2 = 0.0, s2 = 0.0;
 
-  double value(double t) const {
+  /// Value and first derivative.
+  struct Jet {
+    double value, slope;
+  };
+  Jet at(double t) const {
     const double c = std::cos(t), s = std::sin(t);
-    return k + c1 * c + s1 * s + c2 * (c * c - s * s) + s2 * 2.0 * s * c;
+    const double cc = c * c - s * s, ss = 2.0 * s * c;
+    return {k + c1 * c + s1 * s + c2 * cc + s2 * ss, s1 * c - c1 * s + 2.0 * (s2 * cc - c2 * ss)};
   }
-  double slope(double t) const {
-    const double c = std::cos(t), s = std::sin(t);
-    return -c1 * s + s1 * c - 4.0 * c2 * s * c + 2.0 * s2 * (c * c - s * s);
-  }
+  double value(double t) const { return at(t).value; }
   double largest_curvature() const { return std::hypot(c1, s1) + 4.0 * std::hypot(c2, s2); }
   double size() const {
     return std::max({std::abs(k), std::abs(c1), std::abs(s1), std::abs(c2), std::abs(s2)});
@@ -48,43 +50,60 @@ TrigonometricPolynomial level_along(const PlaneEllipse& i, const PlaneEllipse& j
           0.5 * (p.dot(p) - q.dot(q)), p.dot(q)};
 }
 
-/// Root in an interval in which f changes its sign and is monotone.
-double bisected_root(const TrigonometricPolynomial& f, double begin, double end) {
-  const bool rises = f.value(begin) < 0.0;
-  for (int halving = 0; halving < 60 && end - begin > 1e-16 * two_pi; ++halving) {
-    const double middle = 0.5 * (begin + end);
-    if ((f.value(middle) < 0.0) == rises)
-      begin = middle;
-    else
-      end = middle;
+/// Root in an interval in which f changes its sign and is monotone: Newton's method, kept within
+/// the shrinking bracket.
+double bracketed_root(const TrigonometricPolynomial& f, double begin, double end, bool rises) {
+  double t = 0.5 * (begin + end);
+  for (int step = 0; step < 60; ++step) {
+    const auto jet = f.at(t);
+    ((jet.value < 0.0) == rises ? begin : end) = t;
+    const double newton = t - jet.value / jet.slope;
+    const double next = newton > begin && newton < end ? newton : 0.5 * (begin + end);
+    if (std::abs(next - t) < 1e-16 * two_pi)
+      return next;
+    t = next;
   }
-  return 0.5 * (begin + end);
+  return t;
 }
 
-void collect_roots(const TrigonometricPolynomial& f, double begin, double end,
-                   std::vector<double>& roots) {
-  const double width = end - begin, bound = f.largest_curvature();
-  const double f0 = f.value(begin), f1 = f.value(end);
-  const bool sign_changes = (f0 < 0.0) != (f1 < 0.0);
-  if (!sign_changes && std::min(std::abs(f0), std::abs(f1)) > bound * width * width / 8.0)
+/// An end of an interval with the value there.
+struct Sample {
+  double t, value;
+};
+
+void collect_roots(const TrigonometricPolynomial& f, double bound, const Sample& begin,
+                   const Sample& end, std::vector<double>& roots) {
+  const double width = end.t - begin.t;
+  const bool sign_changes = (begin.value < 0.0) != (end.value < 0.0);
+  if (!sign_changes &&
+      std::min(std::abs(begin.value), std::abs(end.value)) > bound * width * width / 8.0)
     return; // f stays within bound w^2 / 8 of its chord
-  const double middle = 0.5 * (begin + end);
-  const bool is_monotone = std::abs(f.slope(middle)) > 0.5 * bound * width;
+  const double middle = 0.5 * (begin.t + end.t);
+  const auto jet = f.at(middle);
+  const bool is_monotone = std::abs(jet.slope) > 0.5 * bound * width;
   if (sign_changes && (is_monotone || width < closest_roots)) {
-    roots.push_back(bisected_root(f, begin, end));
+    roots.push_back(bracketed_root(f, begin.t, end.t, begin.value < 0.0));
     return;
   }
   if (is_monotone || width < closest_roots)
     return;
-  collect_roots(f, begin, middle, roots);
-  collect_roots(f, middle, end, roots);
+  collect_roots(f, bound, begin, {middle, jet.value}, roots);
+  collect_roots(f, bound, {middle, jet.value}, end, roots);
 }
 
 std::vector<double> roots_of(const TrigonometricPolynomial& f) {
   std::vector<double> roots;
+  if (std::abs(f.k) > std::hypot(f.c1, f.s1) + std::hypot(f.c2, f.s2))
+    return roots; // the waves cannot reach zero
   constexpr int parts = 8;
-  for (int part = 0; part < parts; ++part)
-    collect_roots(f, two_pi * part / parts, two_pi * (part + 1) / parts, roots);
+  const double bound = f.largest_curvature();
+  Sample begin{0.0, f.value(0.0)};
+  for (int part = 1; part <= parts; ++part) {
+    const double t = two_pi * part / parts;
+    const Sample end{t, f.value(t)};
+    collect_roots(f, bound, begin, end, roots);
+    begin = end;
+  }
   return roots;
 }
 

@@ -18,6 +18,11 @@ std::vector<Point> flank_columns(const Pile& pile, const PileOptions& options, F
   const double direction = flank == Flank::right ? 1.0 : -1.0;
   std::vector<Point> columns;
   const double length = direction * (end - begin);
+  constexpr double most_columns = 1.0e7;
+  if (!(length <= most_columns * spacing))
+    throw InputError(fmt::format("the free surface would need {:.3g} columns (at most {:.0g}): the "
+                                 "particles' sizes differ too much, choose a larger --columns",
+                                 length / spacing, most_columns));
   for (std::size_t k = 0; (static_cast<double>(k) + 0.5) * spacing < length; ++k) {
     const double x = begin + direction * (static_cast<double>(k) + 0.5) * spacing;
     columns.emplace_back(x, pile.surface.height(x));

@@ -13,6 +13,9 @@
 namespace ellipsoid::post {
 namespace {
 
+/// Beyond these the squares and products of lengths overflow or vanish; no unit system needs them.
+constexpr double smallest_size = 1.0e-30, largest_length = 1.0e30;
+
 using Column = const std::vector<double>*;
 
 /// The columns of one vector or tensor; null pointers where they are missing.
@@ -37,6 +40,13 @@ struct QuaternionColumns {
   explicit operator bool() const { return w && x && y && z; }
 };
 
+/// Throws for the first of several columns that is missing.
+void require_all(const Frame& frame, const std::vector<std::string>& names,
+                 const std::string& purpose) {
+  for (const std::string& name : names)
+    frame.required(name, purpose);
+}
+
 /// A place for the message about a bad value in a row of the frame.
 InputError bad_value(const Frame& frame, std::size_t row, const std::string& expected,
                      const std::string& found) {
@@ -58,8 +68,7 @@ class Positions {
         m_scaled = vector_columns(frame, std::string("x") + suffix, std::string("y") + suffix,
                                   std::string("z") + suffix);
     if (!m_plain && !m_scaled)
-      for (const char* name : {"x", "y", "z"})
-        frame.required(name, "the position of the particles");
+      require_all(frame, {"x", "y", "z"}, "the position of the particles");
   }
   Vector3 at(std::size_t row) const {
     if (m_plain)
@@ -84,13 +93,17 @@ class Sizes {
         m_shape(vector_columns(frame, "shapex", "shapey", "shapez")),
         m_radius(column(frame, {"radius"})), m_diameter(column(frame, {"diameter"})) {
     if (m_given.empty() && !m_shape && !m_radius && !m_diameter)
-      frame.required("shapex", "the semi-axes of the particles; or a column \"radius\", or give "
-                               "--semiaxes a b c");
+      require_all(
+          frame, {"shapex", "shapey", "shapez"},
+          "the semi-axes of the particles; or a column \"radius\", or give --semiaxes a b c");
   }
   Vector3 at(std::size_t row) const {
     const Vector3 s = m_scale * raw(row);
-    if (!(s.x > 0.0 && s.y > 0.0 && s.z > 0.0))
-      throw bad_value(m_frame, row, "semi-axes > 0", fmt::format("{} {} {}", s.x, s.y, s.z));
+    for (const double axis : {s.x, s.y, s.z})
+      if (!(axis > smallest_size && axis < largest_length))
+        throw bad_value(m_frame, row,
+                        fmt::format("semi-axes > 0 (and {} to {})", smallest_size, largest_length),
+                        fmt::format("{} {} {}", s.x, s.y, s.z));
     return s;
   }
 
@@ -121,8 +134,8 @@ class Orientations {
     const bool is_sphere = semiaxes.x == semiaxes.y && semiaxes.y == semiaxes.z;
     if (!m_q) {
       if (!is_sphere)
-        for (const char* name : {"quat1", "quat2", "quat3", "quat4"})
-          m_frame.required(name, "the orientation, quat1 (scalar part) to quat4");
+        require_all(m_frame, {"quat1", "quat2", "quat3", "quat4"},
+                    "the orientation, quat1 (scalar part) to quat4");
       return {};
     }
     const Quaternion q{(*m_q.w)[row], (*m_q.x)[row], (*m_q.y)[row], (*m_q.z)[row]};
@@ -178,8 +191,9 @@ void add_chain(ParticleSet& set, Particle& particle, const MultisphereTemplate& 
 class CommonColumns {
  public:
   explicit CommonColumns(const Frame& frame)
-      : m_position(frame), m_id(column(frame, {"id"})), m_type(column(frame, {"type"})),
-        m_mass(column(frame, {"mass"})), m_velocity(vector_columns(frame, "vx", "vy", "vz")),
+      : m_frame(frame), m_position(frame), m_id(column(frame, {"id"})),
+        m_type(column(frame, {"type"})), m_mass(column(frame, {"mass"})),
+        m_velocity(vector_columns(frame, "vx", "vy", "vz")),
         m_spin(vector_columns(frame, "omegax", "omegay", "omegaz")) {}
 
   bool has_velocities() const { return static_cast<bool>(m_velocity); }
@@ -191,6 +205,10 @@ class CommonColumns {
     p.type = m_type ? static_cast<int>((*m_type)[row]) : 1;
     p.mass = m_mass ? (*m_mass)[row] : 0.0;
     p.centre = m_position.at(row);
+    for (const double x : {p.centre.x, p.centre.y, p.centre.z})
+      if (!(std::abs(x) < largest_length))
+        throw bad_value(m_frame, row, fmt::format("a position within +-{}", largest_length),
+                        fmt::format("{}", x));
     if (m_velocity)
       p.velocity = m_velocity.at(row);
     if (m_spin)
@@ -199,6 +217,7 @@ class CommonColumns {
   }
 
  private:
+  const Frame& m_frame;
   Positions m_position;
   Column m_id, m_type, m_mass;
   VectorColumns m_velocity, m_spin;

@@ -272,8 +272,18 @@ TEST(Particles, errors_name_column_row_and_range) {
             "test.dump:10: frame 1: expected a column \"z\" (the position of the particles), found "
             "only: id x y radius");
   EXPECT_NE(particle_error("id x y z", "1 0 0 0").find("--semiaxes"), std::string::npos);
+  for (const char* columns : {"id x y z shapex", "id x y z shapex shapey", "id x y z shapez"})
+    EXPECT_NE(particle_error(columns, std::string(columns).find("shapey") == std::string::npos
+                                          ? "1 0 0 0 1"
+                                          : "1 0 0 0 1 1")
+                  .find("semi-axes"),
+              std::string::npos)
+        << columns;
+  for (const char* columns :
+       {"id x y z quat1 shapex shapey shapez", "id x y z quat4 shapex shapey shapez"})
+    EXPECT_NE(particle_error(columns, "1 0 0 0 1 3 2 1").find("orientation"), std::string::npos);
   EXPECT_EQ(particle_error("id x y z radius", "1 0 0 0 -2"),
-            "test.dump:10: frame 1: expected semi-axes > 0, found -2 -2 -2");
+            "test.dump:10: frame 1: expected semi-axes > 0 (and 1e-30 to 1e+30), found -2 -2 -2");
   EXPECT_NE(particle_error("id x y z shapex shapey shapez", "1 0 0 0 2 1 1").find("quat1"),
             std::string::npos);
   const std::string columns = "id x y z quat1 quat2 quat3 quat4 shapex shapey shapez f_subspheres";
