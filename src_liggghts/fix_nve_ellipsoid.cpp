@@ -17,7 +17,7 @@ using ellipsoid_host::vector;
 
 namespace {
 
-/// Sine^2 of the angle between z and the nearest principal axis that counts as aligned: far above
+/// Sine^2 of the angle between z and inertia times z that counts as a principal axis: far above
 /// the rounding of a long run, far below what a user could mean.
 constexpr double largest_misalignment = 1e-10;
 

@@ -67,17 +67,18 @@ inline Quaternion rotate_freely(const Quaternion& orientation, const Vector3& mo
   return normalized(q); // removes rounding only
 }
 
-/// Moment of inertia about the space z axis, and how far the nearest principal axis is from it.
+/// Moment of inertia about the space z axis, and how far z is from a principal axis.
 struct PlanarInertia {
-  double about_z;     ///< (mass length^2)
-  double misaligned;  ///< 1 - cos^2 of the angle between z and the nearest principal axis
+  double about_z;    ///< (mass length^2)
+  double misaligned; ///< sine^2 of the angle between z and I z: 0 for every principal axis, also for
+                     ///< any across the symmetry axis of a body with two equal moments
 };
 
 inline PlanarInertia planar_inertia(const Quaternion& orientation, const Vector3& inertia) {
   const Vector3 z = rotation(orientation).to_body({0.0, 0.0, 1.0});
-  const double xx = z.x * z.x, yy = z.y * z.y, zz = z.z * z.z;
-  const double largest = xx > yy ? (xx > zz ? xx : zz) : (yy > zz ? yy : zz);
-  return {inertia.x * xx + inertia.y * yy + inertia.z * zz, 1.0 - largest};
+  const Vector3 momentum{inertia.x * z.x, inertia.y * z.y, inertia.z * z.z};
+  const Vector3 across = cross(z, momentum);
+  return {dot(z, momentum), dot(across, across) / dot(momentum, momentum)};
 }
 
 /// Turns a body about the space z axis by `angle` (rad), second order in it, norm kept.
