@@ -58,8 +58,6 @@ const ellipsoid::SphereChain* MultisphereParticles::chain(int i) {
 }
 
 ellipsoid::ChainPose MultisphereParticles::make_pose(int i) {
-  if (!subspheres_)
-    find_properties();
   ellipsoid::ChainPose pose;
   pose.chain = chain(i);
   pose.axis = ellipsoid::rotation(quaternion(atom->quaternion[i])).column_x;

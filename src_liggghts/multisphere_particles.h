@@ -28,7 +28,9 @@ public:
   /// Poses of all owned and ghost particles; to be called once per time step, on all ranks.
   void update();
   const ellipsoid::ChainPose& pose(int i) const { return poses_[static_cast<std::size_t>(i)]; }
-  /// Pose of one owned particle, without update().
+  /// For make_pose() without update(): to be called once per time step.
+  void find_properties();
+  /// Pose of one owned particle.
   ellipsoid::ChainPose make_pose(int i);
 
 private:
@@ -38,7 +40,6 @@ private:
   LAMMPS_NS::FixPropertyAtom* subspheres_ = nullptr;
   LAMMPS_NS::FixPropertyAtom* spacing_ = nullptr;
 
-  void find_properties();
   const ellipsoid::SphereChain* chain(int i);
 };
 
