@@ -67,6 +67,8 @@ void FixWallGranEllipsoid::post_force_primitive(int) {
   if (shear_)
     wall_velocity[shearDim_] = vshear_;
   double** history = dnum() > 0 ? fix_history_primitive_->array_atom : nullptr;
+  if (multisphere_)
+    particles_.find_properties();
   int* near;
   const int near_count = primitiveWall_->getNeighbors(near);
   for (int k = 0; k < near_count; ++k) {
