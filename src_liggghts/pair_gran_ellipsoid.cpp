@@ -11,7 +11,6 @@
 #include "neighbor.h"
 #include "smooth_contact_loop.h"
 
-#include <algorithm>
 #include <map>
 #include <string>
 
@@ -116,8 +115,6 @@ void PairGranEllipsoid::init_style() {
                       "granular/ellipsoid");
   check_pages();
   PairGran::init_style();
-  // the host takes whole rows of the history out of pages and does not look whether they fit
-  neighbor->pgsize = std::max(neighbor->pgsize, 2 * neighbor->oneatom * std::max(1, dnum()));
   if (store_multicontact_data_)
     error->all(FLERR, "pair_style gran/ellipsoid does not work with fix multicontact/halfspace; "
                       "remove that fix");
