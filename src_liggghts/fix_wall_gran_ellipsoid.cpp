@@ -23,14 +23,19 @@ namespace {
 /// little about wrong ones; so they are checked before it does. Returns `arg`.
 char** checked(LAMMPS* lmp, int narg, char** arg) {
   ellipsoid_host::ArgumentReader reader(lmp->error, "wall/gran/ellipsoid", arg[0], narg, arg, 3);
-  while (!reader.done())
-    if (reader.keyword() == "primitive") {
-      reader.choice("primitive", {"type"});
-      reader.integer("type", 1, lmp->atom->ntypes);
-      const std::vector<std::string> planes{"xplane", "yplane", "zplane"};
-      const auto plane = static_cast<std::size_t>(reader.choice("primitive type T", planes));
-      reader.number(planes[plane], -HUGE_VAL, HUGE_VAL);
-    }
+  while (!reader.done()) {
+    const std::string keyword = reader.keyword();
+    if (keyword == "mesh")
+      reader.complain("style 'mesh' is not available for ellipsoids; use 'primitive type T "
+                      "xplane|yplane|zplane POS'");
+    if (keyword != "primitive")
+      continue;
+    reader.choice("primitive", {"type"});
+    reader.integer("type", 1, lmp->atom->ntypes);
+    const std::vector<std::string> planes{"xplane", "yplane", "zplane"};
+    const auto plane = static_cast<std::size_t>(reader.choice("primitive type T", planes));
+    reader.number(planes[plane], -HUGE_VAL, HUGE_VAL);
+  }
   return arg;
 }
 
@@ -38,10 +43,6 @@ char** checked(LAMMPS* lmp, int narg, char** arg) {
 
 FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg)
     : FixWallGran(lmp, narg, checked(lmp, narg, arg)), particles_(lmp) {
-  if (is_mesh_wall())
-    error->fix_error(FLERR, this,
-                     "style 'mesh' is not available for ellipsoids; use 'primitive type T "
-                     "xplane|yplane|zplane POS'");
   multisphere_ = impl->contact_match("surface", "multisphere");
   if (!multisphere_ && !impl->contact_match("surface", "smooth"))
     error->fix_error(FLERR, this,
@@ -66,6 +67,8 @@ void FixWallGranEllipsoid::post_force_primitive(int) {
   if (shear_)
     wall_velocity[shearDim_] = vshear_;
   double** history = dnum() > 0 ? fix_history_primitive_->array_atom : nullptr;
+  if (multisphere_)
+    particles_.find_properties();
   int* near;
   const int near_count = primitiveWall_->getNeighbors(near);
   for (int k = 0; k < near_count; ++k) {

@@ -6,6 +6,7 @@
 #include "error.h"
 #include "fix_property_atom.h"
 #include "modify.h"
+#include "neighbor.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -20,10 +21,9 @@ namespace {
 /// Aspect ratios closer than this are the same chain: far below any shape's tolerance.
 constexpr double aspect_resolution = 1e-12;
 
-const double* per_atom(Modify* modify, const char* name) {
-  Fix* fix = modify->find_fix_property(name, "property/atom", "scalar", 0, 0,
-                                       "surface multisphere", false);
-  return fix ? static_cast<FixPropertyAtom*>(fix)->vector_atom : nullptr;
+FixPropertyAtom* per_atom(Modify* modify, const char* name) {
+  return static_cast<FixPropertyAtom*>(modify->find_fix_property(
+      name, "property/atom", "scalar", 0, 0, "surface multisphere", false));
 }
 
 } // namespace
@@ -38,8 +38,8 @@ void MultisphereParticles::find_properties() {
 
 const ellipsoid::SphereChain* MultisphereParticles::chain(int i) {
   const double* axes = atom->shape[i];
-  const int count = static_cast<int>(std::lround(subspheres_[i]));
-  const int spacing = spacing_ ? static_cast<int>(std::lround(spacing_[i])) : 0;
+  const int count = static_cast<int>(std::lround(subspheres_->vector_atom[i]));
+  const int spacing = spacing_ ? static_cast<int>(std::lround(spacing_->vector_atom[i])) : 0;
   const double aspect = axes[0] / axes[1];
   auto& entry = chains_[Key(std::llround(aspect / aspect_resolution), count, spacing)];
   if (entry)
@@ -58,8 +58,6 @@ const ellipsoid::SphereChain* MultisphereParticles::chain(int i) {
 }
 
 ellipsoid::ChainPose MultisphereParticles::make_pose(int i) {
-  if (!subspheres_)
-    find_properties();
   ellipsoid::ChainPose pose;
   pose.chain = chain(i);
   pose.axis = ellipsoid::rotation(quaternion(atom->quaternion[i])).column_x;
@@ -69,6 +67,11 @@ ellipsoid::ChainPose MultisphereParticles::make_pose(int i) {
 
 void MultisphereParticles::update() {
   find_properties();
+  if (neighbor->ago == 0) { // new ghosts, which the host does not give the values of these fixes
+    subspheres_->do_forward_comm();
+    if (spacing_)
+      spacing_->do_forward_comm();
+  }
   const int count = atom->nlocal + atom->nghost;
   poses_.resize(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)

@@ -12,6 +12,10 @@
 #include <tuple>
 #include <vector>
 
+namespace LAMMPS_NS {
+class FixPropertyAtom;
+}
+
 namespace ellipsoid_host {
 
 /// Which chain a particle has is stored per atom: fix property/atom `subspheres` (N) and `spacing`
@@ -21,20 +25,21 @@ class MultisphereParticles : private LAMMPS_NS::Pointers {
 public:
   explicit MultisphereParticles(LAMMPS_NS::LAMMPS* lmp) : Pointers(lmp) {}
 
-  /// Poses of all owned and ghost particles; to be called once per time step.
+  /// Poses of all owned and ghost particles; to be called once per time step, on all ranks.
   void update();
   const ellipsoid::ChainPose& pose(int i) const { return poses_[static_cast<std::size_t>(i)]; }
-  /// Pose of one owned particle, without update().
+  /// For make_pose() without update(): to be called once per time step.
+  void find_properties();
+  /// Pose of one owned particle.
   ellipsoid::ChainPose make_pose(int i);
 
 private:
   using Key = std::tuple<long long, int, int>; // aspect ratio in units of 1e-12, N, spacing
   std::map<Key, std::unique_ptr<ellipsoid::SphereChain>> chains_;
   std::vector<ellipsoid::ChainPose> poses_;
-  const double* subspheres_ = nullptr;
-  const double* spacing_ = nullptr;
+  LAMMPS_NS::FixPropertyAtom* subspheres_ = nullptr;
+  LAMMPS_NS::FixPropertyAtom* spacing_ = nullptr;
 
-  void find_properties();
   const ellipsoid::SphereChain* chain(int i);
 };
 

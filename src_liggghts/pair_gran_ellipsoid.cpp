@@ -11,7 +11,6 @@
 #include "neighbor.h"
 #include "smooth_contact_loop.h"
 
-#include <algorithm>
 #include <map>
 #include <string>
 
@@ -114,12 +113,25 @@ void PairGranEllipsoid::init_style() {
   if (!atom->superquadric_flag)
     error->all(FLERR, "pair_style gran/ellipsoid needs particles with shape: use atom_style "
                       "granular/ellipsoid");
+  check_pages();
   PairGran::init_style();
-  // the host takes whole rows of the history out of pages and does not look whether they fit
-  neighbor->pgsize = std::max(neighbor->pgsize, 2 * neighbor->oneatom * std::max(1, dnum()));
   if (store_multicontact_data_)
     error->all(FLERR, "pair_style gran/ellipsoid does not work with fix multicontact/halfspace; "
                       "remove that fix");
+}
+
+/// The host keeps the histories of all partners of a particle in one page, and does not look whether
+/// they fit: it crashes when the neighbour lists are rebuilt.
+void PairGranEllipsoid::check_pages() {
+  const long long needed = static_cast<long long>(neighbor->oneatom) * dnum_pair();
+  if (needed <= neighbor->pgsize)
+    return;
+  error->all(FLERR, ("pair_style gran/ellipsoid: the history of a pair has " +
+                     std::to_string(dnum_pair()) + " values (setting 'contacts'), 'neigh_modify page' is " +
+                     std::to_string(neighbor->pgsize) + ", needed are " + std::to_string(needed) +
+                     ": raise 'neigh_modify page' to that, or lower 'neigh_modify one' to " +
+                     std::to_string(neighbor->pgsize / dnum_pair()))
+                        .c_str());
 }
 
 void PairGranEllipsoid::read_restart_settings(FILE* file, const int, const int) {

@@ -60,6 +60,7 @@ private:
   bool warned_ = false;
 
   void create(int64_t variant);
+  void check_pages();
 };
 
 } // namespace LAMMPS_NS

@@ -66,15 +66,16 @@ class Restart(unittest.TestCase):
         self.assertEqual(Path("periodic.dump").read_bytes(), Path("again.dump").read_bytes())
 
     def test_run_in_one_go_stays_close(self):
+        # without the springs bodies would be off by about mu g t^2/2 = 1.5e-6 m after 200 steps; later
+        # on collisions amplify any difference
         one_go, again = self.frames("one_go.dump"), self.frames("periodic.dump")
-        after = [step for step in sorted(again) if step <= HALF + 1000]
         position = slice(2, 5)
-        worst = max(np.abs(one_go[step][i][position] - row[position]).max()
-                    for step in after for i, row in again[step].items())
-        print(f"positions after 1000 further steps differ by {worst:.1e} m from the run in one go")
+        worst = max(np.abs(one_go[HALF + SAMPLE][i][position] - row[position]).max()
+                    for i, row in again[HALF + SAMPLE].items())
+        print(f"positions after {SAMPLE} further steps differ by {worst:.1e} m from the run in one go")
         self.assertEqual(max(np.abs(one_go[HALF][i][:11] - row[:11]).max()
                              for i, row in again[HALF].items()), 0.0)
-        self.assertLess(worst, 1e-5 * 1.15e-3)
+        self.assertLess(worst, 1e-7)
 
     def compare(self, whole, again):
         whole, again = self.frames(whole), self.frames(again)
