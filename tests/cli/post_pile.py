@@ -67,6 +67,19 @@ def check_formats(reference):
     assert os.path.exists("film_99.svg") and os.path.exists("film_100.svg")
 
 
+def check_fine_chains(reference):
+    """With 55 sub-spheres all areas and the surface are the ellipse's within the chain's error."""
+    (shape,) = rows_of("template", "--subspheres", 55)
+    missing_area = 1 - float(shape["area_ratio"])
+    fine = figures(write("fine.dump", frame_text(100, wedge(subspheres=55))))
+    solid = float(fine["solid_area_m2"]) / float(reference["solid_area_m2"])
+    assert abs(1 - solid - missing_area) < 0.1 * missing_area, (solid, missing_area)
+    total = float(fine["total_area_m2"]) / float(reference["total_area_m2"])
+    assert 0 < 1 - total < missing_area, (total, missing_area)
+    assert abs(float(fine["repose_angle_deg"]) - float(reference["repose_angle_deg"])) < 0.01
+    assert abs(float(fine["porosity"]) - float(reference["porosity"])) < missing_area
+
+
 def check_summary():
     write("other.dump", frame_text(3, wedge(22.0)))
     write("coarse.dump", frame_text(3, wedge(25.0, subspheres=5)))
@@ -159,6 +172,7 @@ def main():
     pile = wedge()
     reference = check_invariances(pile)
     check_formats(reference)
+    check_fine_chains(reference)
     check_summary()
     check_bad_input(pile)
     check_digits_warning(pile)
