@@ -1,8 +1,7 @@
-"""The paper's piling problem in small: 60 particles beside a wall, for two seeds. The pile comes to
-rest, nothing is lost, nothing overlaps by more than 5 % of b, its figures lie in stated ranges.
+"""The pile of inputs/quickstart.sh: 100 particles beside a wall, for two seeds. The pile comes to rest, nothing is lost, nothing overlaps by more than 5 % of b, its figures lie in stated ranges.
 
 Overlaps and contacts are found again from the dump by ellipses in the plane, without the engine's
-formulas. The ranges are wide: 60 particles give a flat heap of a few layers.
+formulas. The ranges are wide: so few particles pile up differently for each seed.
 """
 
 import math
@@ -17,14 +16,13 @@ from _contact_geometry import contact, shape_matrix
 from _engine import kinetic_energy, read_dump, rotation, run, thermo
 
 PILING = Path(os.environ["ELLIPSOID_SOURCE"]) / "inputs" / "piling.in"
-DAMPING = 3000.0  # 1/s; with the 100 of the paper so few particles scatter over the whole floor
-PARTICLES, A, B, MASS, GRAVITY = 60, 2.7e-3, 1.15e-3, 2e-5, 9.81
+PARTICLES, A, B, MASS, GRAVITY = 100, 2.7e-3, 1.15e-3, 2e-5, 9.81
 
 
 def pile(seed):
     """Run the piling input; returns the last frame as (columns {name: (N,)}, thermo rows)."""
-    changes = {"seed": seed, "particles": PARTICLES, "dt": 5e-6, "out": f"pile{seed}", "settle": 2.0,
-               "dump_time": 2.2, "eta_n": DAMPING, "eta_t": DAMPING}
+    changes = {"seed": seed, "particles": PARTICLES, "dt": 5e-6, "out": f"pile{seed}", "settle": 3.0,
+               "y0": 0.05, "dump_time": 0.5, "vtk": "no"}
     lines = "".join(f"variable {name} index {value}\n" for name, value in changes.items())
     run(lines + f"include {PILING}\n", name=f"in.pile{seed}")
     last = sorted(Path(f"pile{seed}").glob("pile.*.dump"))[-1]
@@ -80,7 +78,7 @@ class SmallPile(unittest.TestCase):
             speed = np.hypot(columns["vx"][0], columns["vy"][0])
             print(f"seed {seed}: mean kinetic energy is that of a fall by {fall:.1e} b, largest speed "
                   f"{speed[inside].max():.1e} m/s in the pile, {speed.max():.1e} m/s of all")
-            self.assertLess(fall, 5e-3)
+            self.assertLess(fall, 1e-3)
 
     def test_no_large_overlap(self):
         for seed, (columns, _) in self.piles.items():
@@ -99,10 +97,10 @@ class SmallPile(unittest.TestCase):
             print(f"seed {seed}: coordination {coordination:.2f}, {walls} contacts with walls, four "
                   f"fifths within {most:.4f} m, height {y.max() + B:.4f} m, {upper:.2f} above the floor")
             self.assertEqual(int(round(rows[-1, 5])), len(found), "contacts counted by the engine")
-            self.assertTrue(1.5 < coordination < 4.0)
-            self.assertTrue(B < y.min() + 1e-5 and y.max() + B > 4.0 * B, "fewer than two layers")
-            self.assertTrue(0.15 < upper < 0.7)
-            self.assertTrue(20.0 * A < most < 60.0 * A)
+            self.assertTrue(2.7 < coordination < 3.8)
+            self.assertTrue(B < y.min() + 1e-5 and 14.0 * B < y.max() + B < 34.0 * B)
+            self.assertTrue(0.6 < upper < 0.9)
+            self.assertTrue(12.0 * A < most < 30.0 * A)
             self.assertEqual(np.abs(columns["z"][0]).max(), 0.0)
 
 
