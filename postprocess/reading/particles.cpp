@@ -16,6 +16,9 @@ namespace {
 /// Beyond these the squares and products of lengths overflow or vanish; no unit system needs them.
 constexpr double smallest_size = 1.0e-30, largest_length = 1.0e30;
 
+/// Longest semi-axis over shortest: sections of a body lose two digits for every factor of ten.
+constexpr double largest_aspect_ratio = 1.0e4;
+
 using Column = const std::vector<double>*;
 
 /// The columns of one vector or tensor; null pointers where they are missing.
@@ -112,6 +115,10 @@ class Sizes {
         throw bad_value(m_frame, row,
                         fmt::format("semi-axes > 0 (and {} to {})", smallest_size, largest_length),
                         fmt::format("{} {} {}", s.x, s.y, s.z));
+    if (std::max({s.x, s.y, s.z}) > largest_aspect_ratio * std::min({s.x, s.y, s.z}))
+      throw bad_value(m_frame, row,
+                      fmt::format("semi-axes within a factor of {}", largest_aspect_ratio),
+                      fmt::format("{} {} {}", s.x, s.y, s.z));
     return s;
   }
 

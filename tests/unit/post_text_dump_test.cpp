@@ -286,6 +286,10 @@ TEST(Particles, errors_name_column_row_and_range) {
             "test.dump:10: frame 1: expected semi-axes > 0 (and 1e-30 to 1e+30), found -2 -2 -2");
   EXPECT_NE(particle_error("id x y z shapex shapey shapez", "1 0 0 0 2 1 1").find("quat1"),
             std::string::npos);
+  EXPECT_NE(particle_error("id x y z quat1 quat2 quat3 quat4 shapex shapey shapez",
+                           "1 0 0 0 1 0 0 0 1e5 1 1")
+                .find("factor of 10000"),
+            std::string::npos);
   EXPECT_EQ(particle_error("id x y z radius", "1.5 0 0 0 1"),
             "test.dump:10: frame 1: expected a whole number (id), found 1.5");
   EXPECT_NE(particle_error("id mol x y z radius", "1 1e80 0 0 0 1").find("(body)"),
