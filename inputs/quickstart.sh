@@ -12,12 +12,16 @@ readonly particles=100 drop_height=0.05 settling_time=3 time_step=5e-6
 output=$repository/out/quickstart
 
 run_piling() {
+  local vtk=no
+  if grep -q '^ELLIPSOID_VTK:BOOL=ON$' "$build/CMakeCache.txt"; then
+    vtk=yes
+  fi
   rm -rf "$output"
   mkdir -p "$output"
   # run where the host's own log file does not disturb: in the output folder
   (cd "$output" && "$build/bin/liggghts" -in "$repository/inputs/piling.in" -var out "$output" \
     -var particles "$particles" -var y0 "$drop_height" -var settle "$settling_time" \
-    -var dt "$time_step" -var dump_time 0.4 -var thermo_time 0.4)
+    -var dt "$time_step" -var vtk "$vtk" -var dump_time 0.4 -var thermo_time 0.4)
 }
 
 post_process() {
