@@ -21,7 +21,7 @@ run_piling() {
   # run where the host's own log file does not disturb: in the output folder
   (cd "$output" && "$build/bin/liggghts" -in "$repository/inputs/piling.in" -var out "$output" \
     -var particles "$particles" -var y0 "$drop_height" -var settle "$settling_time" \
-    -var dt "$time_step" -var vtk "$vtk" -var dump_time 0.4 -var thermo_time 0.4)
+    -var dt "$time_step" -var vtk "$vtk" -var dump_time 0.5 -var thermo_time 0.5)
 }
 
 post_process() {
