@@ -71,11 +71,8 @@ public:
     fwrite(&hash, sizeof(hash), 1, file);
   }
 
-  void read_restart_settings(FILE* file, int64_t) override {
-    int64_t hash = -1;
-    if (comm->me == 0 && fread(&hash, sizeof(hash), 1, file) != 1)
-      error->one(FLERR, "The restart file ends within pair_style gran/ellipsoid; use a whole file");
-  }
+  /// The pair style has read the one value that there is: it says which loop to make.
+  void read_restart_settings(FILE*, int64_t) override {}
 
   void compute_force(PairGran*, int eflag, int vflag, int addflag) override {
     begin(eflag, vflag, addflag);

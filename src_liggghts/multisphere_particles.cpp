@@ -57,25 +57,40 @@ const ellipsoid::SphereChain* MultisphereParticles::chain(int i) {
   return entry.get();
 }
 
+void MultisphereParticles::place(int i, ellipsoid::ChainPose& pose) const {
+  pose.axis = ellipsoid::rotation(quaternion(atom->quaternion[i])).column_x;
+  pose.scale = atom->shape[i][1];
+}
+
 ellipsoid::ChainPose MultisphereParticles::make_pose(int i) {
   ellipsoid::ChainPose pose;
   pose.chain = chain(i);
-  pose.axis = ellipsoid::rotation(quaternion(atom->quaternion[i])).column_x;
-  pose.scale = atom->shape[i][1];
+  place(i, pose);
   return pose;
 }
 
+/// Which chain a particle has is looked up when the neighbour lists are new: only then particles
+/// come and go, on all ranks at once.
 void MultisphereParticles::update() {
-  find_properties();
-  if (neighbor->ago == 0) { // new ghosts, which the host does not give the values of these fixes
+  const auto count = static_cast<std::size_t>(atom->nlocal + atom->nghost);
+  const bool new_lists = neighbor->ago == 0;
+  if (new_lists || poses_.size() != count)
+    find_properties();
+  if (new_lists) { // new ghosts, which the host does not give the values of these fixes
     subspheres_->do_forward_comm();
     if (spacing_)
       spacing_->do_forward_comm();
   }
-  const int count = atom->nlocal + atom->nghost;
-  poses_.resize(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i)
-    poses_[static_cast<std::size_t>(i)] = make_pose(i);
+  if (new_lists || poses_.size() != count)
+    find_chains(count);
+  for (std::size_t i = 0; i < count; ++i)
+    place(static_cast<int>(i), poses_[i]);
+}
+
+void MultisphereParticles::find_chains(std::size_t count) {
+  poses_.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+    poses_[i].chain = chain(static_cast<int>(i));
 }
 
 } // namespace ellipsoid_host

@@ -41,6 +41,8 @@ private:
   LAMMPS_NS::FixPropertyAtom* spacing_ = nullptr;
 
   const ellipsoid::SphereChain* chain(int i);
+  void find_chains(std::size_t count);
+  void place(int i, ellipsoid::ChainPose& pose) const;
 };
 
 } // namespace ellipsoid_host

@@ -136,14 +136,10 @@ void PairGranEllipsoid::check_pages() {
 
 void PairGranEllipsoid::read_restart_settings(FILE* file, const int, const int) {
   int64_t variant = -1;
-  if (comm->me == 0) {
-    if (fread(&variant, sizeof(variant), 1, file) != 1)
-      error->one(FLERR, "The restart file ends within pair_style gran/ellipsoid; use a whole file");
-    fseek(file, -static_cast<long>(sizeof(variant)), SEEK_CUR);
-  }
+  if (comm->me == 0 && fread(&variant, sizeof(variant), 1, file) != 1)
+    error->one(FLERR, "The restart file ends within pair_style gran/ellipsoid; use a whole file");
   MPI_Bcast(&variant, sizeof(variant), MPI_CHAR, 0, world);
   create(variant);
-  impl_->read_restart_settings(file, variant);
 }
 
 const std::vector<ellipsoid::EllipsoidShape>& PairGranEllipsoid::update_shapes() {

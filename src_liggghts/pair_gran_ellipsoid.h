@@ -33,7 +33,6 @@ public:
   void init_granular() override { impl_->init_granular(); }
   void write_restart_settings(FILE* file) override { impl_->write_restart_settings(file); }
   void read_restart_settings(FILE* file, const int major, const int minor) override;
-  int get_history_offset(const std::string name) { return impl_->get_history_offset(name); }
   double stressStrainExponent() override { return impl_->stressStrainExponent(); }
   bool contact_match(const std::string type, const std::string model) override {
     return impl_->contact_match(type, model);
