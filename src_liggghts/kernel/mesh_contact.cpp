@@ -40,12 +40,11 @@ bool is_same(const TriangleContact& c, const TriangleContact& d, double size) {
          norm(c.normal - d.normal) <= wall_tolerance::same_contact;
 }
 
-/// Whether the face contact c is not the smallest minimum: the edge or corner contact d, of the same
-/// plane, has a smaller overlap.
+/// Whether c is a deeper minimum beside d on the same ridge or plane: its foot lies in or beyond the
+/// tangent plane of d. (In a groove the feet lie in front of each other's planes.)
 bool is_outdone(const TriangleContact& c, const TriangleContact& d, double size) {
-  return c.feature == TriangleFeature::face && d.feature != TriangleFeature::face &&
-         d.overlap < c.overlap &&
-         std::fabs(dot(c.normal, d.foot - c.foot)) <= wall_tolerance::shared_point * size;
+  return c.deep && d.overlap < c.overlap &&
+         dot(d.normal, c.foot - d.foot) >= -wall_tolerance::shared_point * size;
 }
 
 /// Of contacts that are connected by `related`, keeps the first in the order of `comes_first`.
@@ -152,8 +151,10 @@ void add_contacts(const Body& body, const Vector3& eye, double size,
                   const std::vector<Triangle>& triangles, const SameSurface& same_surface,
                   std::vector<TriangleContact>& contacts) {
   const std::size_t first = contacts.size();
+  bool near = false;
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     const TriangleContacts offered = find_triangle_contacts(body, triangles[k]);
+    near = near || offered.plane_is_reached;
     const bool missed = offered.face_is_missed && !reaches_plane(body, offered.face, triangles, size);
     for (const TriangleContact& c : {missed ? TriangleContact{} : offered.face, offered.boundary})
       if (c.feature != TriangleFeature::none) {
@@ -161,7 +162,7 @@ void add_contacts(const Body& body, const Vector3& eye, double size,
         contacts.back().triangle = static_cast<int>(k);
       }
   }
-  if (contacts.size() == first)
+  if (!near)
     return;
   select(triangles, same_surface, eye, size, first, contacts);
   if (contacts.size() == first)

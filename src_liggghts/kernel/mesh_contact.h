@@ -7,7 +7,8 @@
 //    of the contact's tangent plane: else the neighbour's own contact is the true one. So there is none
 //    at the seam of coplanar triangles nor in a groove, and one on a ridge;
 //  - a contact point that the body's centre does not see, because a triangle lies between, is none;
-//  - a deep face contact gives way to one with smaller overlap at an edge or corner of its plane;
+//  - a deep contact gives way to one with a smaller overlap whose tangent plane it lies in or beyond:
+//    the other side of a ridge, the rim of the same plate;
 //  - the same contact offered by several triangles counts once;
 //  - contacts on triangles of the same surface (coplanar, or nearly so: the caller says which) that
 //    hang together are one contact, the one with the largest overlap.

@@ -36,6 +36,7 @@ TriangleContact contact_at(TriangleFeature feature, const EllipsoidBody& body, c
   c.foot = foot;
   c.overlap = g.overlap;
   c.point = foot + (0.5 * g.overlap) * normal;
+  c.deep = g.overlap > body.shape.smallest_curvature_radius;
   c.radius = g.curvature_radius_i;
   return c;
 }
@@ -49,6 +50,7 @@ TriangleContact contact_at(TriangleFeature feature, const SphereBody& body, cons
   c.foot = foot;
   c.overlap = body.radius + dot(normal, body.centre) - dot(normal, foot);
   c.point = foot + (0.5 * c.overlap) * normal;
+  c.deep = c.overlap > body.radius;
   c.radius = body.radius;
   return c;
 }
@@ -118,11 +120,13 @@ TriangleContacts find_triangle_contacts(const EllipsoidBody& body, const Triangl
   TriangleContacts contacts;
   if (plane.status == ContactStatus::separated)
     return contacts;
+  contacts.plane_is_reached = true;
   const Vector3 foot = plane.point - (0.5 * plane.overlap) * normal;
   if (is_on(t, right, foot, wall_tolerance::on_triangle * extent(body))) {
-    contacts.face = {TriangleFeature::face, -1, 0, normal, foot, plane.point, plane.overlap,
-                     plane.curvature_radius_i};
-    if (plane.overlap <= body.shape.smallest_curvature_radius)
+    contacts.face = contact_at(TriangleFeature::face, body, foot, normal);
+    contacts.face.point = plane.point;
+    contacts.face.overlap = plane.overlap;
+    if (!contacts.face.deep)
       return contacts; // the only minimum (Blaschke; see is_certainly_global in ellipsoid_contact.cpp)
     contacts.face_is_missed = !reaches(body, t);
   }
@@ -142,6 +146,7 @@ TriangleContacts find_triangle_contacts(const SphereBody& body, const Triangle& 
   TriangleContacts contacts;
   if ((above ? height : -height) > body.radius)
     return contacts;
+  contacts.plane_is_reached = true;
   const Vector3 foot = body.centre - height * right;
   if (is_on(t, right, foot, wall_tolerance::on_triangle * extent(body))) {
     contacts.face = contact_at(TriangleFeature::face, body, foot, above ? -right : right);

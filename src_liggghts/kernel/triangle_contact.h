@@ -38,6 +38,7 @@ struct TriangleContact {
   Vector3 foot;                                    ///< the contact's point on the triangle (length)
   Vector3 point;                                   ///< middle of the overlap (length)
   double overlap = 0.0;                            ///< (length)
+  bool deep = false;                               ///< overlap > smallest radius of curvature
   double radius = 0.0; ///< Gaussian radius of the body at the contact: R of (19) at a wall (length)
 };
 
@@ -68,6 +69,7 @@ struct TriangleContacts {
   /// The body reaches beyond the plane and its deepest point lies above the triangle, but it does not
   /// reach the triangle itself: a contact only if it reaches the same plane on another triangle.
   bool face_is_missed = false;
+  bool plane_is_reached = false;
 };
 
 /// The particle's centre tells which side of the plane is in front.
