@@ -11,6 +11,7 @@ SURFACE_MODEL(SURFACE_SMOOTH,smooth,40)
 
 #include "contact_models.h"
 #include "ellipsoid_surface.h"
+#include "strict_settings.h"
 #include "surface_model_base.h"
 
 namespace LIGGGHTS {
@@ -20,6 +21,18 @@ template <> class SurfaceModel<SURFACE_SMOOTH> : public EllipsoidSurface {
 public:
   SurfaceModel(LAMMPS* lmp, IContactHistorySetup* hsetup, class ContactModelBase* cmb)
       : EllipsoidSurface(lmp, hsetup, cmb, "smooth") {}
+
+  inline void registerSettings(Settings& settings) {
+    settings.registerSetting<ContactsSetting>("contacts", contacts_, ContactsSetting::standard);
+  }
+
+  /// The only way that the host's classes offer: a named integer. Walls of triangles ask for it.
+  inline void postSettings(IContactHistorySetup*, ContactModelBase* cmb) {
+    cmb->add_history_offset("contacts", contacts_);
+  }
+
+private:
+  int contacts_ = ContactsSetting::standard;
 };
 
 } // namespace ContactModels
