@@ -8,6 +8,7 @@ FixStyle(nve/ellipsoid,FixNVEEllipsoid)
 #define LMP_FIX_NVE_ELLIPSOID_H
 
 #include "fix_nve.h"
+#include "rotation_batch.h"
 
 namespace LAMMPS_NS {
 
@@ -25,10 +26,13 @@ public:
 
 private:
   bool planar_ = false; // motion in the xy plane only
+  ellipsoid::RotationBatch turns_;
+  int turning_[ellipsoid::RotationBatch::capacity]; // particles of the batch
 
   void kick(int i) const;
   void keep_in_plane(int i) const;
-  void turn(int i) const;
+  void turn(int i);
+  void turn_waiting();
   void turn_in_plane(int i) const;
 };
 

@@ -49,33 +49,39 @@ private:
   ellipsoid::MulticontactRule rule_ = ellipsoid::MulticontactRule::sum;
 
   void prepare() { particles_.update(); }
+  void finish() {}
 
-  void treat_pair(int i, int j, int& flag, double* history) {
-    ellipsoid::Vector3 distance;
+  double treat_pair(int i, int j, int& flag, double* history) {
+    const ellipsoid::Vector3 distance = this->centre_distance(i, j);
+    double gap = this->bounding_gap(i, j, distance);
     found_.clear();
-    if (this->is_near(i, j, distance)) {
+    if (gap == 0.0) {
       const ellipsoid::ContactCount count =
           find_contacts(particles_.pose(i), particles_.pose(j), distance, found_);
       counts_.values[ContactCounts::tested] += this->share(j) * count.tested;
+      if (found_.empty())
+        gap = smallest_gap(particles_.pose(i), particles_.pose(j), distance);
     }
     if (found_.empty() && !flag)
-      return;
+      return gap;
     assign_slots(i, j, flag, history);
     flag = 0;
     if (found_.empty())
-      return;
+      return gap;
     counts_.values[ContactCounts::touching_pairs] += this->share(j);
     counts_.values[ContactCounts::contacts] +=
         this->share(j) * static_cast<double>(found_.size());
     flag = CONTACT_SURFACE_MODEL;
-    this->fill_pair(i, j, distance, flag);
+    const SurfacesIntersectData pair = this->pair_record(i, j, distance, flag);
     const double weight = multicontact_weight(rule_, static_cast<int>(found_.size()));
     for (std::size_t k = 0; k < found_.size(); ++k) {
       const ellipsoid::SphereContact& c = found_[k];
-      this->fill_contact(c.normal, c.point, c.overlap, c.reduced_radius, c.radius_i, c.radius_j,
-                         &history[slot_values_ * slot_of_[k]]);
-      this->apply_contact(weight);
+      SurfacesIntersectData record = pair;
+      this->fill_contact(record, c.normal, c.point, c.overlap, c.reduced_radius, c.radius_i,
+                         c.radius_j, &history[slot_values_ * slot_of_[k]]);
+      this->apply_contact(record, weight);
     }
+    return 0.0;
   }
 
   /// Known contacts keep their slots, contacts that ended leave theirs, new ones get free slots.
