@@ -95,7 +95,8 @@ struct Halvings {
       sines[k] = std::sin(t);
     }
     for (std::size_t depth = 0; depth < most; ++depth)
-      to_middle[depth] = 0.5 / std::cos(0.5 * std::ldexp(two_pi / first_parts, -static_cast<int>(depth)));
+      to_middle[depth] =
+          0.5 / std::cos(0.5 * std::ldexp(two_pi / first_parts, -static_cast<int>(depth)));
   }
 };
 

@@ -39,7 +39,7 @@ bool eight_digits(const char* place, std::uint64_t& value) {
       ((bytes + 0x0606060606060606) & high_halves) != zeros) // ':' to '?' would carry
     return false;
   bytes -= zeros;
-  bytes = (10 * bytes + (bytes >> 8)) & 0x00ff00ff00ff00ff; // pairs
+  bytes = (10 * bytes + (bytes >> 8)) & 0x00ff00ff00ff00ff;   // pairs
   bytes = (100 * bytes + (bytes >> 16)) & 0x0000ffff0000ffff; // fours
   value = (10000 * bytes + (bytes >> 32)) & 0xffffffff;
   return true;
@@ -110,8 +110,8 @@ bool round_twice(const Decimal& number, double& value) {
     if (std::abs(number.exponent) > 27)
       return false;
     const Long digits = static_cast<Long>(number.digits);
-    const Long rounded = number.exponent < 0 ? digits / powers[-number.exponent]
-                                             : digits * powers[number.exponent];
+    const Long rounded =
+        number.exponent < 0 ? digits / powers[-number.exponent] : digits * powers[number.exponent];
     std::uint64_t mantissa = 0;
     std::memcpy(&mantissa, &rounded, sizeof(mantissa));
     constexpr std::uint64_t surplus_bits = 0x7ff, middle = 0x400;

@@ -77,9 +77,10 @@ TEST(NumberText, special_forms) {
 }
 
 TEST(NumberText, what_is_no_finite_number) {
-  for (const char* text : {"", "-", "+", ".", "e5", "-e5", "1e", "1e+", "1.2.3", "0x10", "nan", "inf",
-                           "-inf", "1e400", "-1e99999", "1,5", "12a", "1e5.0", "--1", "1\r", "12345678:",
-                           "1234567/", "1.1234567:9"})
+  for (const char* text :
+       {"",      "-",     "+",   ".",   "e5",        "-e5",      "1e",         "1e+",
+        "1.2.3", "0x10",  "nan", "inf", "-inf",      "1e400",    "-1e99999",   "1,5",
+        "12a",   "1e5.0", "--1", "1\r", "12345678:", "1234567/", "1.1234567:9"})
     EXPECT_TRUE(std::isnan(value_of(text))) << text;
 }
 
