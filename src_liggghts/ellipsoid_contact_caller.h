@@ -2,8 +2,34 @@
 #ifndef ELLIPSOID_CONTACT_CALLER_H_
 #define ELLIPSOID_CONTACT_CALLER_H_
 
+#include "contact_interface.h"
+#include "lmptype.h"
+#include "vector3.h"
+
+#include <vector>
+
+namespace LAMMPS_NS {
+class Atom;
+class TriMesh;
+} // namespace LAMMPS_NS
+
 namespace LIGGGHTS {
 namespace ContactModels {
+
+/// One contact as it acted in the last time step.
+struct ContactRecord {
+  int particle_i = 0; ///< id of the first particle
+  int particle_j = 0; ///< id of the second; of the triangle at mesh walls, 0 at other walls
+  int group_mask = 0; ///< groups that both particles (the one at a wall) belong to
+  bool is_ghost_pair = false;
+  int sphere_i = 0, sphere_j = 0; ///< numbers of the sub-spheres from 1; 0: none
+  ellipsoid::Vector3 position_i, position_j; ///< centres; at walls both that of the particle (length)
+  ellipsoid::Vector3 point;                  ///< middle of the overlap, in space (length)
+  ellipsoid::Vector3 normal;                 ///< unit, from the first to the second or the wall
+  ellipsoid::Vector3 force;                  ///< on the first, of all contact models together
+  double overlap = 0.0;                      ///< h (length)
+  double reduced_radius = 0.0;               ///< R of (19), of the spheres for multi-spheres (length)
+};
 
 /// Told apart from the host's own pair styles and walls by this base class: only callers that
 /// have it fill in the contact geometry which the surface models of ellipsoids expect.
@@ -12,6 +38,38 @@ public:
   virtual ~EllipsoidContactCaller() {}
   /// Curvature radii (length) of the contact in work: of i, and of j (not used at walls).
   double curvature_radius_i = 0.0, curvature_radius_j = 0.0;
+
+  /// Of multi-spheres: the spheres of the contact in work, counted from 0 (-1: none), and the weight
+  /// of its force in the sum.
+  void set_spheres(int sphere_i, int sphere_j, double weight) {
+    sphere_i_ = sphere_i + 1;
+    sphere_j_ = sphere_j + 1;
+    weight_ = weight;
+  }
+
+  /// From now on every contact that gives a force is noted down.
+  void keep_records() { keeps_records_ = true; }
+  bool keeps_records() const { return keeps_records_; }
+  /// A new pass over all contacts begins.
+  void begin_records(LAMMPS_NS::bigint step) {
+    records_.clear();
+    records_step_ = step;
+  }
+  const std::vector<ContactRecord>& records() const { return records_; }
+  /// Time step of the records; -1: there was none yet.
+  LAMMPS_NS::bigint records_step() const { return records_step_; }
+
+  /// @param[in] force on i, of all models
+  /// @param[in] mesh  that the contact's triangle belongs to; null elsewhere
+  void add_record(const SurfacesIntersectData& contact, const double* force,
+                  LAMMPS_NS::Atom& atom, LAMMPS_NS::TriMesh* mesh);
+
+private:
+  bool keeps_records_ = false;
+  int sphere_i_ = 0, sphere_j_ = 0;
+  double weight_ = 1.0;
+  LAMMPS_NS::bigint records_step_ = -1;
+  std::vector<ContactRecord> records_;
 };
 
 } // namespace ContactModels

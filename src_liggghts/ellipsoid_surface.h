@@ -45,7 +45,12 @@ public:
     MathExtraLiggghtsNonspherical::surfacesIntersectNonSpherical(sidata, atom->x);
   }
 
-  inline void endSurfacesIntersect(SurfacesIntersectData&, TriMesh*, double* const) {}
+  /// Called when all models have added to the force.
+  inline void endSurfacesIntersect(SurfacesIntersectData& sidata, TriMesh* mesh,
+                                   double* const force) {
+    if (sidata.computeflag && caller_->keeps_records())
+      caller_->add_record(sidata, force, *atom, mesh);
+  }
   inline void surfacesClose(SurfacesCloseData&, ForceData&, ForceData&) {}
   inline void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
   inline void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}

@@ -131,6 +131,7 @@ void FixWallGranEllipsoid::multisphere_contacts(int i, double* history, double* 
   for (std::size_t k = 0; k < found_.size(); ++k) {
     const ellipsoid::SphereContact& c = found_[k];
     const ellipsoid::Vector3 force = vector(f_[i]), torque = vector(atom->torque[i]);
+    set_spheres(c.sphere_i, -1, weight);
     LCM::SurfacesIntersectData data =
         wall_contact(i, c.normal, c.point, c.overlap, c.radius_i,
                      &history[slot_values_ * static_cast<int>(k) + 1]);

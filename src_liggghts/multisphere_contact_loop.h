@@ -74,6 +74,7 @@ private:
       const ellipsoid::SphereContact& c = found_[k];
       this->fill_contact(c.normal, c.point, c.overlap, c.reduced_radius, c.radius_i, c.radius_j,
                          &history[slot_values_ * slot_of_[k]]);
+      pair_->set_spheres(c.sphere_i, c.sphere_j, weight);
       this->apply_contact(weight);
     }
   }
