@@ -2,13 +2,11 @@
 #include "compute_pair_ellipsoid_local.h"
 
 #include "error.h"
-#include "force.h"
-#include "pair.h"
 
 using namespace LAMMPS_NS;
 
 void ComputePairEllipsoidLocal::init() {
-  auto* pair = dynamic_cast<EllipsoidContactCaller*>(force->pair);
+  EllipsoidContactCaller* pair = EllipsoidContactCaller::pair_of(*force);
   if (!pair)
     error->compute_error(FLERR, this, "lists contacts of pair_style gran/ellipsoid; use that style");
   take_callers({pair});

@@ -10,7 +10,12 @@
 
 namespace LAMMPS_NS {
 class Atom;
+class Compute;
+class Error;
+class Force;
+class Modify;
 class TriMesh;
+class Update;
 } // namespace LAMMPS_NS
 
 namespace LIGGGHTS {
@@ -18,10 +23,11 @@ namespace ContactModels {
 
 /// One contact as it acted in the last time step.
 struct ContactRecord {
+  int index_i = 0, index_j = 0; ///< local indices on this rank; index_j only of particles
   int particle_i = 0; ///< id of the first particle
   int particle_j = 0; ///< id of the second; of the triangle at mesh walls, 0 at other walls
   int group_mask = 0; ///< groups that both particles (the one at a wall) belong to
-  bool is_ghost_pair = false;
+  bool is_ghost_pair = false; ///< the second is a ghost: its rank has the contact, too
   int sphere_i = 0, sphere_j = 0; ///< numbers of the sub-spheres from 1; 0: none
   ellipsoid::Vector3 position_i, position_j; ///< centres; at walls both that of the particle (length)
   ellipsoid::Vector3 point;                  ///< middle of the overlap, in space (length)
@@ -47,6 +53,10 @@ public:
     weight_ = weight;
   }
 
+  /// The pair style, if it is of this kind; all walls of this kind, in the order of definition.
+  static EllipsoidContactCaller* pair_of(const LAMMPS_NS::Force& force);
+  static std::vector<EllipsoidContactCaller*> walls_of(const LAMMPS_NS::Modify& modify);
+
   /// From now on every contact that gives a force is noted down.
   void keep_records() { keeps_records_ = true; }
   bool keeps_records() const { return keeps_records_; }
@@ -55,9 +65,10 @@ public:
     records_.clear();
     records_step_ = step;
   }
-  const std::vector<ContactRecord>& records() const { return records_; }
-  /// Time step of the records; -1: there was none yet.
-  LAMMPS_NS::bigint records_step() const { return records_step_; }
+  /// Those of the present time step; stops with an error of the compute where there are none.
+  const std::vector<ContactRecord>& records_of(LAMMPS_NS::Compute& compute,
+                                               const LAMMPS_NS::Update& update,
+                                               LAMMPS_NS::Error& error) const;
 
   /// @param[in] force on i, of all models
   /// @param[in] mesh  that the contact's triangle belongs to; null elsewhere

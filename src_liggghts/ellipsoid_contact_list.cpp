@@ -80,14 +80,10 @@ void EllipsoidContactList::take_callers(const std::vector<EllipsoidContactCaller
 void EllipsoidContactList::compute_local() {
   invoked_local = update->ntimestep;
   values_.clear();
-  for (std::size_t k = 0; k < callers_.size(); ++k) {
-    if (callers_[k]->records_step() != update->ntimestep)
-      error->compute_error(FLERR, this, "the forces of this time step are not computed; use it in "
-                                        "a 'run' (also of 0 steps)");
-    for (ContactRecord record : callers_[k]->records())
+  for (std::size_t k = 0; k < callers_.size(); ++k)
+    for (ContactRecord record : callers_[k]->records_of(*this, *update, *error))
       if (arrange(record))
         append(record, static_cast<int>(k));
-  }
   const std::size_t columns = static_cast<std::size_t>(size_local_cols);
   rows_.resize(values_.size() / columns);
   for (std::size_t row = 0; row < rows_.size(); ++row)

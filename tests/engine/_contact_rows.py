@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from _engine import LAW, Particle, Setup, quaternion_of
+from _engine import LAW, Particle, Setup, quaternion_of, run
 
 WIDTH = 0.0168  # of the periodic box in x and y (m)
 HEIGHT = 0.0082
@@ -77,3 +77,15 @@ def lists(name, every=1):
                  f"dump {kind} all local {every} {name}.{kind}s {places}\n"
                  f'dump_modify {kind} format "{form}"\n')
     return text
+
+
+def refusal(commands, setup=None, particles=2):
+    """The one line with which the engine refuses `commands`; raises where it does not."""
+    setup = setup or crowd_setup("smooth")
+    script = setup.with_particles(crowd((2e-3, 2e-3, 2e-3))[:particles], "few.data")
+    outcome = run(script + commands + "run 1\n", check=False)
+    lines = [line for line in outcome.text.splitlines() if line.startswith("ERROR")]
+    if outcome.code != 1 or len(lines) != 1:
+        raise AssertionError(f"exit status {outcome.code}, {len(lines)} errors for {commands!r}:\n"
+                             + outcome.text[-800:])
+    return lines[0]
