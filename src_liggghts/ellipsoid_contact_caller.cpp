@@ -12,6 +12,8 @@
 #include "tri_mesh.h"
 #include "update.h"
 
+#include <cmath>
+
 namespace LIGGGHTS {
 namespace ContactModels {
 
@@ -63,6 +65,7 @@ void EllipsoidContactCaller::add_record(const SurfacesIntersectData& contact, co
   r.force = weight_ * vector(force);
   r.overlap = contact.deltan;
   r.reduced_radius = contact.reff;
+  r.area = area_factor * M_PI * contact.reff * contact.deltan; // Hertz: a circle of radius sqrt(R h)
   records_.push_back(r);
 }
 

@@ -35,6 +35,7 @@ struct ContactRecord {
   ellipsoid::Vector3 force;                  ///< on the first, of all contact models together
   double overlap = 0.0;                      ///< h (length)
   double reduced_radius = 0.0;               ///< R of (19), of the spheres for multi-spheres (length)
+  double area = 0.0;                         ///< of the contact (length^2)
 };
 
 /// Told apart from the host's own pair styles and walls by this base class: only callers that
@@ -44,6 +45,9 @@ public:
   virtual ~EllipsoidContactCaller() {}
   /// Curvature radii (length) of the contact in work: of i, and of j (not used at walls).
   double curvature_radius_i = 0.0, curvature_radius_j = 0.0;
+
+  /// Area of the contact in work over pi R h; 1 where the contact is a circle.
+  double area_factor = 1.0;
 
   /// Of multi-spheres: the spheres of the contact in work, counted from 0 (-1: none), and the weight
   /// of its force in the sum.

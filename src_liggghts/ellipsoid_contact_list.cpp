@@ -6,7 +6,6 @@
 #include "error.h"
 #include "update.h"
 
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -153,8 +152,8 @@ void EllipsoidContactList::append(const ContactRecord& r, int caller, Property p
     return values_.push_back(norm(r.force - along * r.normal));
   case Property::reduced_radius:
     return values_.push_back(r.reduced_radius);
-  case Property::contact_area: // Hertz: a circle of radius sqrt(R h)
-    return values_.push_back(M_PI * r.reduced_radius * r.overlap);
+  case Property::contact_area:
+    return values_.push_back(r.area);
   case Property::spheres:
     return numbers({r.sphere_i, r.sphere_j});
   }
