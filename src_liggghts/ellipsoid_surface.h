@@ -38,10 +38,7 @@ public:
   inline bool checkSurfaceIntersect(SurfacesIntersectData& sidata) { return sidata.deltan >= 0.0; }
 
   inline void surfacesIntersect(SurfacesIntersectData& sidata, ForceData&, ForceData&) {
-    // the host's wall overwrites radi with the radius of the sphere of equal volume
-    sidata.radi = caller_->curvature_radius_i;
-    if (!sidata.is_wall)
-      sidata.radj = caller_->curvature_radius_j;
+    set_local_spheres(sidata);
     MathExtraLiggghtsNonspherical::surfacesIntersectNonSpherical(sidata, atom->x);
   }
 
@@ -57,7 +54,23 @@ public:
   inline void tally_pp(double, int, int, int) {}
   inline void tally_pw(double, int, int, int) {}
 
+protected:
+  EllipsoidContactCaller& caller() { return *caller_; }
+
 private:
+  /// What models say of radii and distances is about spheres with the radii of the contact at the
+  /// distance that gives its overlap. (The host's wall has put the sphere of equal volume.)
+  void set_local_spheres(SurfacesIntersectData& sidata) const {
+    sidata.radi = sidata.radsum = caller_->curvature_radius_i;
+    if (!sidata.is_wall) {
+      sidata.radj = caller_->curvature_radius_j;
+      sidata.radsum += sidata.radj;
+    }
+    sidata.r = sidata.radsum - sidata.deltan;
+    sidata.rsq = sidata.r * sidata.r;
+    sidata.rinv = 1.0 / sidata.r;
+  }
+
   IContactHistorySetup* setup_;
   std::string name_;
   EllipsoidContactCaller* caller_ = nullptr;

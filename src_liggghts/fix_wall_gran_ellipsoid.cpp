@@ -4,6 +4,7 @@
 #include "atom.h"
 #include "ellipsoid_contact.h"
 #include "ellipsoid_host.h"
+#include "ellipsoid_models.h"
 #include "error.h"
 #include "fix_property_atom.h"
 #include "primitive_wall.h"
@@ -47,6 +48,9 @@ FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg)
   if (!multisphere_ && !impl->contact_match("surface", "smooth"))
     error->fix_error(FLERR, this,
                      "needs 'surface smooth' or 'surface multisphere' among the models; add it");
+  const std::string complaint = LCM::unsuitable_model(*impl) + LCM::unsuitable_setting(narg, arg);
+  if (!complaint.empty())
+    error->fix_error(FLERR, this, complaint.c_str());
   if (multisphere_) { // one slot per contact: the number of the sphere + 1, and the models' values
     slots_ = impl->get_history_offset("contacts");
     rule_ = impl->get_history_offset("multicontact") ? ellipsoid::MulticontactRule::average

@@ -59,11 +59,11 @@ def crowd_setup(surface):
                  pair=f"gran/ellipsoid {LAW} surface {surface}", time_step=1e-7, skin=0.001)
 
 
-def floor_and_lid(surface):
+def floor_and_lid(surface, law=LAW):
     """Script lines; `surface` has its settings after its name."""
     name, *settings = surface.split(" ", 1)
     return "".join(
-        f"fix {wall} all wall/gran/ellipsoid {LAW} surface {name} primitive type 1 zplane {height!r} "
+        f"fix {wall} all wall/gran/ellipsoid {law} surface {name} primitive type 1 zplane {height!r} "
         + " ".join(settings) + "\n" for wall, height in (("lid", HEIGHT), ("floor", 0.0)))
 
 
