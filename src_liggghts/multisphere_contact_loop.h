@@ -79,6 +79,7 @@ private:
       SurfacesIntersectData record = pair;
       this->fill_contact(record, c.normal, c.point, c.overlap, c.reduced_radius, c.radius_i,
                          c.radius_j, &history[slot_values_ * slot_of_[k]]);
+      pair_->set_spheres(c.sphere_i, c.sphere_j, weight);
       this->apply_contact(record, weight);
     }
     return 0.0;

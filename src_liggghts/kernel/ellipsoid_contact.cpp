@@ -11,6 +11,27 @@ namespace ellipsoid {
 
 namespace {
 
+/// Curvatures W^-1 of one body at the surface point with this normal, in the tangent frame.
+TangentMatrix curvatures(const EllipsoidShape& shape, const Vector3& normal,
+                         const TangentFrame& t) {
+  const double s = support(shape, normal);
+  const Vector3 point = (1.0 / s) * (shape.a_matrix * normal);
+  const double p1 = dot(t.first, point), p2 = dot(t.second, point);
+  const Vector3 a_first = shape.a_matrix * t.first, a_second = shape.a_matrix * t.second;
+  const TangentMatrix w{(dot(t.first, a_first) - p1 * p1) / s,
+                        (dot(t.first, a_second) - p1 * p2) / s,
+                        (dot(t.second, a_second) - p2 * p2) / s};
+  const double inverse = s * s * s * s / shape.squared_axes_product; // 1 / det W
+  return {inverse * w.yy, -inverse * w.xy, inverse * w.xx};
+}
+
+/// Half the eigenvalues: the gap is half the quadratic form of the curvatures.
+RelativeCurvature principal(const TangentMatrix& c) {
+  const double mean = 0.5 * c.trace();
+  const double larger = mean + std::hypot(0.5 * (c.xx - c.yy), c.xy);
+  return {0.5 * c.determinant() / larger, 0.5 * larger};
+}
+
 /// A step in the tangent plane.
 struct TangentStep {
   double first = 0.0, second = 0.0;
@@ -232,6 +253,17 @@ ContactGeometry find_contact_from(const Vector3& normal_guess, const EllipsoidSh
                                   const SearchOptions& options) {
   return certify(descend(normal_guess, i, j, centre_distance, options), i, j, centre_distance,
                  options);
+}
+
+RelativeCurvature relative_curvature(const EllipsoidShape& i, const EllipsoidShape& j,
+                                     const Vector3& normal) {
+  const TangentFrame t(normal);
+  const TangentMatrix c_i = curvatures(i, normal, t), c_j = curvatures(j, normal, t);
+  return principal({c_i.xx + c_j.xx, c_i.xy + c_j.xy, c_i.yy + c_j.yy});
+}
+
+RelativeCurvature relative_curvature(const EllipsoidShape& i, const Vector3& normal) {
+  return principal(curvatures(i, normal, TangentFrame(normal)));
 }
 
 ContactGeometry find_plane_contact(const EllipsoidShape& i, const Vector3& plane_point,
