@@ -16,47 +16,15 @@ src_liggghts/doc/random_close_packing.md.
 
 import os
 import unittest
-from pathlib import Path
 
 import numpy as np
 
-from _engine import read_dump, rotation, run
+from _engine import read_dump, run_example
+from _overlaps import touching
 
-PACKING = Path(os.environ["ELLIPSOID_SOURCE"]) / "inputs" / "packing.in"
 SEEDS = (49979687, 32452867, 86028121, 67867967)[:int(os.environ.get("ELLIPSOID_PACKING_SEEDS", 1))]
 PARTICLES = int(os.environ.get("ELLIPSOID_PACKING_PARTICLES", 500))
 PRESSED = 10.0  # Pa; packings under less are not jammed (Young's modulus 5e6 Pa)
-
-
-def touching(columns, box):
-    """Pairs (P, 2) of indices that touch in a periodic cubic box of side `box` (m)."""
-    place = np.stack([columns[n][0] for n in "xyz"], axis=1)
-    axes = np.stack([columns[n][0] for n in ("shapex", "shapey", "shapez")], axis=1)
-    turn = np.stack([rotation(q) for q in
-                     np.stack([columns[f"quat{k}"][0] for k in (1, 2, 3, 4)], axis=1)])
-    squares = np.einsum("nij,nj,nkj->nik", turn, axes ** 2, turn)
-    i, j = np.triu_indices(len(place), 1)
-    apart = place[j] - place[i]
-    apart -= box * np.round(apart / box)
-    near = (apart ** 2).sum(1) < (axes.max(1)[i] + axes.max(1)[j]) ** 2
-    i, j, apart = i[near], j[near], apart[near]
-    return np.stack([i, j], axis=1)[contact_function(squares[i], squares[j], apart) < 1.0]
-
-
-def contact_function(squares_i, squares_j, apart):
-    """Perram and Wertheim's F (P,), below 1 where ellipsoids overlap: the maximum over t in (0, 1) of
-    t (1 - t) r^T ((1 - t) S_i + t S_j)^-1 r, which is concave, by golden sections."""
-    def value(t):
-        mixed = (1.0 - t)[:, None, None] * squares_i + t[:, None, None] * squares_j
-        return t * (1.0 - t) * (apart * np.linalg.solve(mixed, apart[..., None])[..., 0]).sum(1)
-
-    golden = 0.5 * (np.sqrt(5.0) - 1.0)
-    low, high = np.zeros(len(apart)), np.ones(len(apart))
-    for _ in range(45):  # golden^45 = 4e-10: F is flat there, exact to rounding
-        left, right = high - golden * (high - low), low + golden * (high - low)
-        rises = value(left) < value(right)
-        low, high = np.where(rises, left, low), np.where(rises, high, right)
-    return value(0.5 * (low + high))
 
 
 def backbone(pairs, count):
@@ -78,15 +46,14 @@ def pack(name, seed, particles, changes):
     out = f"{name.replace(' ', '_')}_{seed}"
     settings = {"particles": particles, "seed": seed, "out": out, "density_step": 0.002, "stages": 5,
                 **changes}
-    run("".join(f"variable {n} index {v}\n" for n, v in settings.items()) + f"include {PACKING}\n",
-        name=f"in.{out}")
+    run_example("packing", settings, timeout=3000)
     table = np.loadtxt(f"{out}/table.txt")
     jammed = np.nonzero(table[:, 1] > PRESSED)[0]
     if len(jammed) < 3:
         raise AssertionError(f"fewer than three jammed stages: raise `dense`\n{table}")
     volume = 4.0 / 3.0 * np.pi * settings["aspect"] * 1e-9 * particles
     pairs = [touching(read_dump(f"{out}/packing.{k + 1}.dump")[1],
-                      (volume / table[k, 0]) ** (1.0 / 3.0)) for k in jammed]
+                      3 * [(volume / table[k, 0]) ** (1.0 / 3.0)]) for k in jammed]
     return table[jammed], pairs
 
 
