@@ -347,7 +347,7 @@ def main():
     all_groups = groups()
     arguments = arguments_of(all_groups)
     chosen = choose(arguments, all_groups)
-    bench = Bench(arguments.engine, arguments.out, arguments.compaction_time)
+    bench = Bench(arguments.engine.resolve(), arguments.out.resolve(), arguments.compaction_time)
     print(description(arguments.engine), flush=True)
     if arguments.where or arguments.instructions:
         report = where.report(bench, chosen, arguments.instructions)
