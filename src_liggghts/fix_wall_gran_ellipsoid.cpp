@@ -4,6 +4,7 @@
 #include "atom.h"
 #include "ellipsoid_contact.h"
 #include "ellipsoid_host.h"
+#include "ellipsoid_models.h"
 #include "error.h"
 #include "fix_property_atom.h"
 #include "modify.h"
@@ -74,6 +75,9 @@ FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg)
   if (!multisphere_ && !impl->contact_match("surface", "smooth"))
     error->fix_error(FLERR, this,
                      "needs 'surface smooth' or 'surface multisphere' among the models; add it");
+  const std::string complaint = LCM::unsuitable_model(*impl) + LCM::unsuitable_setting(narg, arg);
+  if (!complaint.empty())
+    error->fix_error(FLERR, this, complaint.c_str());
   if (multisphere_)
     rule_ = impl->get_history_offset("multicontact") ? ellipsoid::MulticontactRule::average
                                                      : ellipsoid::MulticontactRule::sum;
@@ -317,6 +321,8 @@ void FixWallGranEllipsoid::apply(int i, const WallContact& contact, double* hist
     mesh = FixMesh_list_[meshes_.near(contact.place).mesh];
     prepare_for_mesh(i, contact, mesh, data);
   }
+  if (multisphere_)
+    set_spheres(contact.part, -1, weight);
   const Vector3 force = vector(f_[i]), torque = vector(atom->torque[i]);
   impl->compute_force(this, data, true, wall_velocity, nullptr,
                       mesh ? meshes_.near(contact.place).mesh : 0, mesh ? mesh->triMesh() : nullptr,

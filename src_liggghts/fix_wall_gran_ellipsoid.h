@@ -11,6 +11,7 @@ FixStyle(wall/gran/ellipsoid,FixWallGranEllipsoid)
 #include "ellipsoid_contact_caller.h"
 #include "fix_wall_gran.h"
 #include "multisphere_particles.h"
+#include "update.h"
 #include "wall_contact.h"
 #include "wall_meshes.h"
 
@@ -26,6 +27,10 @@ public:
   FixWallGranEllipsoid(class LAMMPS* lmp, int narg, char** arg);
   void post_create() override;
   void init() override;
+  void post_force(int vflag) override {
+    begin_records(update->ntimestep);
+    FixWallGran::post_force(vflag);
+  }
 
 protected:
   void post_force_primitive(int vflag) override;

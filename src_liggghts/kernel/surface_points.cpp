@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "surface_points.h"
 
-#include "tangent_frame.h"
+#include "ellipsoid_overlap.h"
 #include "wall_tolerances.h"
 
 #include <algorithm>

@@ -48,7 +48,7 @@ def smooth_contacts(body, axis, centre, wall, inside):
     a = r @ np.diag(np.square(body.semiaxes)) @ r.T
     to_axis = np.asarray(centre) - body.position
     e = [np.eye(3)[(axis + 1) % 3], np.eye(3)[(axis + 2) % 3]]
-    angles = np.linspace(0.0, 2.0 * math.pi, 40001)[:-1]
+    angles = np.linspace(0.0, 2.0 * math.pi, 2001)[:-1]
 
     def support_excess(angle):  # signed distance beyond the axis of the farthest point along n
         n = np.cos(angle)[..., None] * e[0] + np.sin(angle)[..., None] * e[1]

@@ -3,7 +3,7 @@
 // Contact with one triangle, against poses with a known answer, brute force, closed forms of the
 // sphere, and invariances.
 #include "contact_families.h"
-#include "tangent_frame.h"
+#include "ellipsoid_overlap.h"
 #include "triangle_contact.h"
 
 #include <gtest/gtest.h>
