@@ -172,7 +172,7 @@ void FixWallGranEllipsoid::post_force_mesh(int) {
 void FixWallGranEllipsoid::forget_far_contacts() {
   for (std::size_t i = 0; i < is_near_.size(); ++i)
     if (!is_near_[i])
-      std::fill_n(fix_history_primitive_->array_atom[i], history_.size(), 0.0);
+      history_.forget(fix_history_primitive_->array_atom[i]);
 }
 
 /// The plane nearest to the particle's centre; false if it is out of reach.

@@ -17,6 +17,10 @@ const double smallest_cosine = std::sqrt(0.5);
 
 void WallHistory::assign(const std::vector<WallContact>& contacts, double* row,
                          const Adjoining& adjoining) {
+  if (contacts.empty()) {
+    forget(row);
+    return;
+  }
   before_.assign(row, row + size());
   std::fill_n(row, size(), 0.0);
   has_values_.assign(contacts.size(), 0);
@@ -35,6 +39,11 @@ void WallHistory::assign(const std::vector<WallContact>& contacts, double* row,
     return c.place >= 0 && dot(c.normal, vector(&slot[2])) >= smallest_cosine &&
            adjoining(slot[1], c.place);
   });
+}
+
+void WallHistory::forget(double* row) const {
+  if (row[0] != 0.0) // slots are used from the first on
+    std::fill_n(row, size(), 0.0);
 }
 
 /// Of all possible pairs of a contact and a former one, those with the least turn of the normal first.

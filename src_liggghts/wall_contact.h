@@ -46,6 +46,9 @@ public:
   /// @param[in,out] row of one particle
   void assign(const std::vector<WallContact>& contacts, double* row, const Adjoining& adjoining);
 
+  /// Clears the row of a particle without contacts.
+  void forget(double* row) const;
+
   /// Values of the contact models.
   double* values(double* row, std::size_t contact) const {
     return row + static_cast<int>(contact) * (header + values_) + header;
