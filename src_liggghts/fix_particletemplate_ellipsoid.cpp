@@ -10,6 +10,7 @@
 #include "math_extra_liggghts.h"
 #include "memory.h"
 #include "modify.h"
+#include "multisphere_particles.h"
 #include "random_park.h"
 
 #include <algorithm>
@@ -107,18 +108,10 @@ FixParticletemplateEllipsoid::~FixParticletemplateEllipsoid() {
     delete_ptilist();
 }
 
-/// What tells multi-sphere particles apart is stored per atom, in fixes that are made here once and
-/// go with the atoms to other ranks, ghosts and restart files.
+/// What tells multi-sphere particles apart is stored per atom.
 void FixParticletemplateEllipsoid::post_create() {
-  if (!stores_subspheres_)
-    return;
-  for (const char* name : {"subspheres", "spacing"}) {
-    if (modify->find_fix_property(name, "property/atom", "scalar", 0, 0, style, false))
-      continue;
-    const char* arguments[] = {name,  "all", "property/atom", name, "scalar",
-                               "yes", "yes", "no",            "0."};
-    modify->add_fix(9, const_cast<char**>(arguments));
-  }
+  if (stores_subspheres_)
+    ellipsoid_host::make_subsphere_properties(modify);
 }
 
 void FixParticletemplateEllipsoid::parse(int narg, char** arg) {

@@ -4,6 +4,7 @@
 #include "atom.h"
 #include "ellipsoid_contact.h"
 #include "ellipsoid_host.h"
+#include "ellipsoid_models.h"
 #include "error.h"
 #include "fix_property_atom.h"
 #include "primitive_wall.h"
@@ -47,6 +48,9 @@ FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg)
   if (!multisphere_ && !impl->contact_match("surface", "smooth"))
     error->fix_error(FLERR, this,
                      "needs 'surface smooth' or 'surface multisphere' among the models; add it");
+  const std::string complaint = LCM::unsuitable_model(*impl) + LCM::unsuitable_setting(narg, arg);
+  if (!complaint.empty())
+    error->fix_error(FLERR, this, complaint.c_str());
   if (multisphere_) { // one slot per contact: the number of the sphere + 1, and the models' values
     slots_ = impl->get_history_offset("contacts");
     rule_ = impl->get_history_offset("multicontact") ? ellipsoid::MulticontactRule::average
@@ -131,6 +135,7 @@ void FixWallGranEllipsoid::multisphere_contacts(int i, double* history, double* 
   for (std::size_t k = 0; k < found_.size(); ++k) {
     const ellipsoid::SphereContact& c = found_[k];
     const ellipsoid::Vector3 force = vector(f_[i]), torque = vector(atom->torque[i]);
+    set_spheres(c.sphere_i, -1, weight);
     LCM::SurfacesIntersectData data =
         wall_contact(i, c.normal, c.point, c.overlap, c.radius_i,
                      &history[slot_values_ * static_cast<int>(k) + 1]);

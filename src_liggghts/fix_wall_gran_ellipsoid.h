@@ -10,6 +10,7 @@ FixStyle(wall/gran/ellipsoid,FixWallGranEllipsoid)
 #include "ellipsoid_contact_caller.h"
 #include "fix_wall_gran.h"
 #include "multisphere_particles.h"
+#include "update.h"
 
 #include <vector>
 
@@ -22,6 +23,10 @@ class FixWallGranEllipsoid : public FixWallGran,
 public:
   FixWallGranEllipsoid(class LAMMPS* lmp, int narg, char** arg);
   void init() override;
+  void post_force(int vflag) override {
+    begin_records(update->ntimestep);
+    FixWallGran::post_force(vflag);
+  }
 
 protected:
   void post_force_primitive(int vflag) override;

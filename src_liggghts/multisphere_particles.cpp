@@ -6,6 +6,7 @@
 #include "error.h"
 #include "fix_property_atom.h"
 #include "modify.h"
+#include "multisphere_watch.h"
 #include "neighbor.h"
 
 #include <cmath>
@@ -26,11 +27,28 @@ FixPropertyAtom* per_atom(Modify* modify, const char* name) {
       name, "property/atom", "scalar", 0, 0, "surface multisphere", false));
 }
 
+constexpr const char* property_names[2] = {"subspheres", "spacing"};
+
 } // namespace
 
+SubsphereProperties subsphere_properties(Modify* modify) {
+  return {per_atom(modify, property_names[0]), per_atom(modify, property_names[1])};
+}
+
+SubsphereProperties make_subsphere_properties(Modify* modify) {
+  for (const char* name : property_names) {
+    if (per_atom(modify, name))
+      continue;
+    const char* arguments[] = {name,  "all", "property/atom", name, "scalar",
+                               "yes", "yes", "no",            "0."};
+    modify->add_fix(9, const_cast<char**>(arguments));
+    per_atom(modify, name)->just_created = 0; // else the next run begins with default values
+  }
+  return subsphere_properties(modify);
+}
+
 void MultisphereParticles::find_properties() {
-  subspheres_ = per_atom(modify, "subspheres");
-  spacing_ = per_atom(modify, "spacing");
+  std::tie(subspheres_, spacing_) = std::tuple_cat(subsphere_properties(modify));
   if (!subspheres_)
     error->all(FLERR, "surface multisphere: no particle has sub-spheres; use keyword 'subspheres' of "
                       "fix particletemplate/ellipsoid, or fix property/atom subspheres");
@@ -71,7 +89,7 @@ ellipsoid::ChainPose MultisphereParticles::make_pose(int i) {
 
 /// Which chain a particle has is looked up when the neighbour lists are new: only then particles
 /// come and go, on all ranks at once.
-void MultisphereParticles::update() {
+bool MultisphereParticles::update() {
   const auto count = static_cast<std::size_t>(atom->nlocal + atom->nghost);
   const bool new_lists = neighbor->ago == 0;
   if (new_lists || poses_.size() != count)
@@ -81,16 +99,32 @@ void MultisphereParticles::update() {
     if (spacing_)
       spacing_->do_forward_comm();
   }
-  if (new_lists || poses_.size() != count)
-    find_chains(count);
-  for (std::size_t i = 0; i < count; ++i)
-    place(static_cast<int>(i), poses_[i]);
+  if (new_lists || poses_.size() != count) {
+    begin_lists(count);
+    return true;
+  }
+  move();
+  return false;
 }
 
-void MultisphereParticles::find_chains(std::size_t count) {
+void MultisphereParticles::begin_lists(std::size_t count) {
   poses_.resize(count);
-  for (std::size_t i = 0; i < count; ++i)
-    poses_[i].chain = chain(static_cast<int>(i));
+  centres_.resize(count);
+  travelled_.assign(count, 0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    poses_[i] = make_pose(static_cast<int>(i));
+    centres_[i] = vector(atom->x[i]);
+  }
+}
+
+void MultisphereParticles::move() {
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    const ellipsoid::ChainPose before = poses_[i];
+    const ellipsoid::Vector3 centre = vector(atom->x[i]);
+    place(static_cast<int>(i), poses_[i]);
+    travelled_[i] += travel(before, poses_[i], centre - centres_[i]);
+    centres_[i] = centre;
+  }
 }
 
 } // namespace ellipsoid_host

@@ -7,6 +7,7 @@
 #include "multisphere_contact.h"
 #include "pointers.h"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <tuple>
@@ -14,9 +15,16 @@
 
 namespace LAMMPS_NS {
 class FixPropertyAtom;
+class Modify;
 }
 
 namespace ellipsoid_host {
+
+/// The per-atom fixes `subspheres` and `spacing`; null where missing.
+using SubsphereProperties = std::array<LAMMPS_NS::FixPropertyAtom*, 2>;
+SubsphereProperties subsphere_properties(LAMMPS_NS::Modify* modify);
+/// The same, made where missing. They go with the atoms to other ranks and restart files.
+SubsphereProperties make_subsphere_properties(LAMMPS_NS::Modify* modify);
 
 /// Which chain a particle has is stored per atom: fix property/atom `subspheres` (N) and `spacing`
 /// (the number of SphereSpacing; all 0 if that fix is missing). Particles of equal aspect ratio,
@@ -26,8 +34,11 @@ public:
   explicit MultisphereParticles(LAMMPS_NS::LAMMPS* lmp) : Pointers(lmp) {}
 
   /// Poses of all owned and ghost particles; to be called once per time step, on all ranks.
-  void update();
+  /// @return whether the neighbour lists are new: what is remembered of particles is to be forgotten
+  bool update();
   const ellipsoid::ChainPose& pose(int i) const { return poses_[static_cast<std::size_t>(i)]; }
+  /// How far any point of a particle has moved at most since the neighbour lists are there (length).
+  double travelled(int i) const { return travelled_[static_cast<std::size_t>(i)]; }
   /// For make_pose() without update(): to be called once per time step.
   void find_properties();
   /// Pose of one owned particle.
@@ -37,11 +48,14 @@ private:
   using Key = std::tuple<long long, int, int>; // aspect ratio in units of 1e-12, N, spacing
   std::map<Key, std::unique_ptr<ellipsoid::SphereChain>> chains_;
   std::vector<ellipsoid::ChainPose> poses_;
+  std::vector<ellipsoid::Vector3> centres_; // at the last update
+  std::vector<double> travelled_;
   LAMMPS_NS::FixPropertyAtom* subspheres_ = nullptr;
   LAMMPS_NS::FixPropertyAtom* spacing_ = nullptr;
 
   const ellipsoid::SphereChain* chain(int i);
-  void find_chains(std::size_t count);
+  void begin_lists(std::size_t count);
+  void move();
   void place(int i, ellipsoid::ChainPose& pose) const;
 };
 

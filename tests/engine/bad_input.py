@@ -113,6 +113,8 @@ def drop_rows():
 
 def motion_and_compute_rows():
     return (replaced("motion", "planar", ["true", "1", "0", "nan", "on"]) + ended("motion", "planar", 0)
+            + more("motion", "integrator euler", "integrator", "euler")
+            + more("motion", "integrator", "integrator", "")
             + more("motion", "spin no", "spin", "") + more("compute", "all", "arguments", ""))
 
 
