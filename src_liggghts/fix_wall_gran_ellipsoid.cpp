@@ -55,8 +55,11 @@ char** checked(LAMMPS* lmp, int narg, char** arg) {
   Reader reader(lmp->error, "wall/gran/ellipsoid", arg[0], narg, arg, 3);
   constexpr int most_meshes = 1000;
   int meshes = 0;
+  bool has_mesh = false, lists_meshes = false;
   while (!reader.done()) {
     const std::string keyword = reader.keyword();
+    has_mesh = has_mesh || keyword == "mesh";
+    lists_meshes = lists_meshes || keyword == "meshes";
     if (keyword == "primitive")
       check_primitive(lmp, reader);
     else if (keyword == "n_meshes")
@@ -64,6 +67,8 @@ char** checked(LAMMPS* lmp, int narg, char** arg) {
     else if (keyword == "meshes")
       check_meshes(lmp, reader, meshes);
   }
+  if (has_mesh && !lists_meshes)
+    reader.complain("'mesh' names no meshes; add 'n_meshes N meshes ID1 ... IDN'");
   return arg;
 }
 
