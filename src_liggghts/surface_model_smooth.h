@@ -14,6 +14,7 @@ SURFACE_MODEL(SURFACE_SMOOTH,smooth,40)
 #include "ellipsoid_contact.h"
 #include "ellipsoid_host.h"
 #include "ellipsoid_surface.h"
+#include "strict_settings.h"
 #include "surface_model_base.h"
 
 #include <cmath>
@@ -28,6 +29,12 @@ public:
 
   inline void registerSettings(Settings& settings) {
     settings.registerOnOff("ellipticalContact", elliptical_, false);
+    settings.registerSetting<ContactsSetting>("contacts", contacts_, ContactsSetting::standard);
+  }
+
+  /// The only way that the host's classes offer: a named integer. Walls of triangles ask for it.
+  inline void postSettings(IContactHistorySetup*, ContactModelBase* cmb) {
+    cmb->add_history_offset("contacts", contacts_);
   }
 
   inline void surfacesIntersect(SurfacesIntersectData& sidata, ForceData& i_forces,
@@ -46,6 +53,7 @@ public:
 private:
   static constexpr int no_partner = -1;
   bool elliptical_ = false;
+  int contacts_ = ContactsSetting::standard;
 
   struct Ellipse {
     double radius_factor; ///< R of the elliptic contact over that of (19)
