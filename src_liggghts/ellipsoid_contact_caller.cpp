@@ -57,8 +57,8 @@ void EllipsoidContactCaller::add_record(SurfacesIntersectData contact, ellipsoid
     r.is_ghost_pair = j >= atom.nlocal;
     r.position_j = vector(atom.x[j]);
     r.sphere_j = sphere_j_;
-  } else if (mesh) {
-    r.particle_j = mesh->id(j);
+  } else {
+    r.particle_j = mesh ? mesh->id(j) : -1;
   }
   r.point = vector(contact.contact_point);
   r.normal = -vector(contact.en);

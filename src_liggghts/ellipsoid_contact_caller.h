@@ -25,7 +25,7 @@ namespace ContactModels {
 struct ContactRecord {
   int index_i = 0, index_j = 0; ///< local indices on this rank; index_j only of particles
   int particle_i = 0; ///< id of the first particle
-  int particle_j = 0; ///< id of the second; of the triangle at mesh walls, 0 at other walls
+  int particle_j = 0; ///< id of the second; of the triangle at mesh walls, -1 at other walls
   int group_mask = 0; ///< groups that both particles (the one at a wall) belong to
   bool is_ghost_pair = false; ///< the second is a ghost: its rank has the contact, too
   int sphere_i = 0, sphere_j = 0; ///< numbers of the sub-spheres from 1; 0: none

@@ -53,8 +53,8 @@ constexpr int bracket_limit = 60;
 /// a starting point, but its sign decides about touching (see first_normal).
 constexpr double bracket_width = 1.0e-6;
 
-/// The axis ratio of a contact ellipse is found so that ln(B/A) is met to this: far below
-/// `extrapolated_step`, to which A and B themselves are known.
+/// The axis ratio of a contact ellipse is found so that ln(B/A) is met to this, as the normal of a
+/// lasting contact (`batch_normal_error`), from which A and B follow.
 constexpr double elliptic_error = 1.0e-12;
 
 /// Steps of the secant search for it: 2 to 4 are needed for curvatures up to 1 : 1e8.

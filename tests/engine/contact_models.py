@@ -7,6 +7,8 @@ form; models that cannot work are refused with the reason.
 """
 
 import math
+import os
+import re
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -234,6 +236,33 @@ class Refused(unittest.TestCase):
                            "zplane 0.0\n")
             for word in ("wall/gran/ellipsoid", "does not work with ellipsoids", *words):
                 self.assertIn(word, line)
+
+
+class Complete(unittest.TestCase):
+    """Every model that the engine registers is tried or refused above, and on the page."""
+
+    KEYWORDS = {"NORMAL": "model", "TANGENTIAL": "tangential", "COHESION": "cohesion",
+                "ROLLING": "rolling_friction", "SURFACE": "surface"}
+
+    def test_every_registered_model(self):
+        page = (Path(os.environ["ELLIPSOID_SOURCE"]) / "src_liggghts/doc/contact_models.md").read_text()
+        laws = WITHOUT_ROLLING + WITH_ROLLING + [row[0] for row in Refused.LAWS]
+        tried = {tuple(pair) for law in laws for pair in re.findall(r"(\w+) (\S+)", law)}
+        tried |= {("surface", name) for name in ("smooth", "multisphere")}
+        unsuitable = {("surface", name) for name in ("default", "multicontact", "superquadric")}
+        registered = set()
+        for header in (Path(os.environ["ELLIPSOID_BUILD"]) / "liggghts/patched/src").glob("*_model_*.h"):
+            for kind, name in re.findall(r"^([A-Z]+)_MODEL\(\w+,\s*([^,]+?)\s*,", header.read_text(),
+                                         re.MULTILINE):
+                registered.add((self.KEYWORDS[kind], name))
+        self.assertGreater(len(registered), 25)
+        self.assertEqual(registered, tried | unsuitable)
+        code = " ".join(re.findall(r"`([^`]+)`", page))
+        for _, name in registered:
+            self.assertRegex(code, rf"(?<![\w/]){re.escape(name)}(?![\w/])")
+        for _, name in unsuitable:
+            line = refusal("", Setup(pair=f"gran/ellipsoid model hertz surface {name}"))
+            self.assertIn("needs 'surface smooth' or 'surface multisphere'", line)
 
 
 if __name__ == "__main__":
