@@ -131,11 +131,21 @@ void FixNVEEllipsoid::keep_in_plane(int i) const {
     atom->torque[i][k] = atom->angmom[i][k] = atom->omega[i][k] = 0.0;
 }
 
-void FixNVEEllipsoid::turn(int i) const {
-  const ellipsoid::Vector3 momentum = vector(atom->angmom[i]), inertia = vector(atom->inertia[i]);
-  const auto q = rotate_freely(quaternion(atom->quaternion[i]), momentum, inertia, dtv);
-  store(q, atom->quaternion[i]);
-  store(angular_velocity(momentum, inertia, q), atom->omega[i]);
+/// Particles turn together with others: as soon as the batch is full, at the latest in turn_waiting().
+void FixNVEEllipsoid::turn(int i) {
+  turning_[turns_.size()] = i;
+  turns_.add(quaternion(atom->quaternion[i]), vector(atom->angmom[i]), vector(atom->inertia[i]));
+  if (turns_.full())
+    turn_waiting();
+}
+
+void FixNVEEllipsoid::turn_waiting() {
+  turns_.solve(dtv);
+  for (int k = 0; k < turns_.size(); ++k) {
+    store(turns_.orientation(k), atom->quaternion[turning_[k]]);
+    store(turns_.omega(k), atom->omega[turning_[k]]);
+  }
+  turns_.clear();
 }
 
 double FixNVEEllipsoid::inertia_about_z(int i) const {
@@ -271,6 +281,7 @@ void FixNVEEllipsoid::initial_integrate(int) {
     else
       turn(i);
   });
+  turn_waiting();
 }
 
 void FixNVEEllipsoid::final_integrate() {

@@ -8,6 +8,7 @@ FixStyle(nve/ellipsoid,FixNVEEllipsoid)
 #define LMP_FIX_NVE_ELLIPSOID_H
 
 #include "fix_nve.h"
+#include "rotation_batch.h"
 
 namespace ellipsoid {
 class Gear;
@@ -35,6 +36,8 @@ public:
 
 private:
   bool planar_ = false; // motion in the xy plane only
+  ellipsoid::RotationBatch turns_;
+  int turning_[ellipsoid::RotationBatch::capacity]; // particles of the batch
   bool gear_ = false;
   // of `integrator gear`, per atom: started (1) or not (0), then second to fifth derivative of x, y, z
   class FixPropertyAtom* translation_ = nullptr;
@@ -46,7 +49,8 @@ private:
   class FixPropertyAtom* find_derivatives(const char* what) const;
   void kick(int i) const;
   void keep_in_plane(int i) const;
-  void turn(int i) const;
+  void turn(int i);
+  void turn_waiting();
   void turn_in_plane(int i) const;
   double inertia_about_z(int i) const;
   void start(int i) const;
