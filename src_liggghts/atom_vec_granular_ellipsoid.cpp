@@ -42,6 +42,20 @@ double positive(Error* error, const char* token, const char* column, const char*
   return value;
 }
 
+ellipsoid::Quaternion unit_quaternion(Error* error, char** tokens, const char* atom) {
+  static const char* const names[4] = {"q0", "q1", "q2", "q3"};
+  double q[4], norm2 = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    q[k] = number(error, tokens[k], names[k], atom);
+    norm2 += q[k] * q[k];
+  }
+  if (std::fabs(norm2 - 1.0) > 1e-6)
+    error->one(FLERR, (std::string("Atoms section, atom ") + atom +
+                       ": the quaternion q0 q1 q2 q3 is not of unit length; normalise it")
+                          .c_str());
+  return ellipsoid_host::quaternion(q);
+}
+
 /// An integer from 0 to `largest`.
 int small_integer(Error* error, const char* token, int largest, const char* column,
                   const char* atom) {
@@ -68,11 +82,10 @@ void AtomVecGranularEllipsoid::expect_data_words(int words) {
 
 void AtomVecGranularEllipsoid::read_subspheres(int i, char** values) {
   const char* id = values[0];
-  subspheres_[i] = {small_integer(error, values[smooth_columns], ellipsoid::largest_sphere_count,
-                                  "N", id),
-                    small_integer(error, values[smooth_columns + 1],
-                                  static_cast<int>(ellipsoid::SphereSpacing::minimax_area),
-                                  "spacing", id)};
+  subspheres_[i] = {
+      small_integer(error, values[smooth_columns], ellipsoid::largest_sphere_count, "N", id),
+      small_integer(error, values[smooth_columns + 1],
+                    static_cast<int>(ellipsoid::SphereSpacing::minimax_area), "spacing", id)};
 }
 
 void AtomVecGranularEllipsoid::finish_data() {
@@ -98,8 +111,8 @@ void AtomVecGranularEllipsoid::data_atom(double* position, tagint image, char** 
                           .c_str());
   const double tag = positive(error, id, "id", id);
   if (tag != std::floor(tag) || tag > MAXTAGINT)
-    error->one(FLERR, (std::string("Atoms section, atom ") + id + ": column id has the value '" + id +
-                       "', allowed is an integer > 0")
+    error->one(FLERR, (std::string("Atoms section, atom ") + id + ": column id has the value '" +
+                       id + "', allowed is an integer > 0")
                           .c_str());
   static const char* const place_names[3] = {"x", "y", "z"};
   for (int k = 0; k < 3; ++k) // the host has read these as far as they are numbers
@@ -110,20 +123,11 @@ void AtomVecGranularEllipsoid::data_atom(double* position, tagint image, char** 
   atom->image[i] = image;
   static const char* const axis_names[3] = {"a", "b", "c"};
   static const char* const moment_names[3] = {"I1", "I2", "I3"};
-  static const char* const quaternion_names[4] = {"q0", "q1", "q2", "q3"};
-  double q[4];
   for (int k = 0; k < 3; ++k) {
     atom->shape[i][k] = positive(error, values[5 + k], axis_names[k], id);
     atom->inertia[i][k] = positive(error, values[13 + k], moment_names[k], id);
   }
-  for (int k = 0; k < 4; ++k)
-    q[k] = number(error, values[8 + k], quaternion_names[k], id);
-  const double norm2 = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-  if (std::fabs(norm2 - 1.0) > 1e-6)
-    error->one(FLERR, (std::string("Atoms section, atom ") + id +
-                       ": the quaternion q0 q1 q2 q3 is not of unit length; normalise it")
-                          .c_str());
-  ellipsoid_host::store(ellipsoid_host::quaternion(q), atom->quaternion[i]);
+  ellipsoid_host::store(unit_quaternion(error, values + 8, id), atom->quaternion[i]);
   atom->rmass[i] = positive(error, values[12], "mass", id);
   const ellipsoid::Vector3 axes = ellipsoid_host::vector(atom->shape[i]);
   atom->volume[i] = ellipsoid::volume(axes);
@@ -136,10 +140,11 @@ void AtomVecGranularEllipsoid::data_atom(double* position, tagint image, char** 
 
 void AtomVecGranularEllipsoid::data_vel(int i, char** values) {
   AtomVecSuperquadric::data_vel(i, values);
-  ellipsoid_host::store(ellipsoid::angular_momentum(ellipsoid_host::vector(atom->omega[i]),
-                                                    ellipsoid_host::vector(atom->inertia[i]),
-                                                    ellipsoid_host::quaternion(atom->quaternion[i])),
-                        atom->angmom[i]);
+  ellipsoid_host::store(
+      ellipsoid::angular_momentum(ellipsoid_host::vector(atom->omega[i]),
+                                  ellipsoid_host::vector(atom->inertia[i]),
+                                  ellipsoid_host::quaternion(atom->quaternion[i])),
+      atom->angmom[i]);
 }
 
 void AtomVecGranularEllipsoid::pack_data(double** buffer) { pack_data(buffer, 0); }

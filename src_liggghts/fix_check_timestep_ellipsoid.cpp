@@ -58,8 +58,8 @@ int FixCheckTimestepEllipsoid::setmask() { return END_OF_STEP; }
 
 void FixCheckTimestepEllipsoid::init() {
   const auto find = [this](const char* name) {
-    return static_cast<FixPropertyGlobal*>(modify->find_fix_property(
-        name, "property/global", "peratomtype", atom->ntypes, 0, style));
+    return static_cast<FixPropertyGlobal*>(
+        modify->find_fix_property(name, "property/global", "peratomtype", atom->ntypes, 0, style));
   };
   youngs_modulus_ = find("youngsModulus");
   poissons_ratio_ = find("poissonsRatio");
@@ -119,8 +119,8 @@ void FixCheckTimestepEllipsoid::measure() {
     const double modulus = effective_modulus(type);
     const bool multisphere = subspheres && subspheres->vector_atom[i] > 0.0;
     mine[1] = std::min(mine[1], smallest_mass2_over_radius(i, multisphere) / (modulus * modulus));
-    mine[2] = std::min(mine[2], -(norm(vector(atom->v[i])) +
-                                  norm(vector(atom->omega[i])) * atom->radius[i]));
+    mine[2] = std::min(
+        mine[2], -(norm(vector(atom->v[i])) + norm(vector(atom->omega[i])) * atom->radius[i]));
   }
   MPI_Allreduce(mine, all, 3, MPI_DOUBLE, MPI_MIN, world);
   const double relative_speed = -2.0 * all[2];

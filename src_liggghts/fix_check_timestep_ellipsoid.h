@@ -18,8 +18,8 @@ class MultisphereParticles;
 
 namespace LAMMPS_NS {
 
-/// Global vector: time step over the smallest Rayleigh time, time step over the shortest duration of a
-/// collision, largest relative way in a step over the skin.
+/// Global vector: time step over the smallest Rayleigh time, time step over the shortest duration
+/// of a collision, largest relative way in a step over the skin.
 class FixCheckTimestepEllipsoid : public Fix {
 public:
   FixCheckTimestepEllipsoid(class LAMMPS* lmp, int narg, char** arg);

@@ -32,8 +32,8 @@ constexpr int derivative_count = 4; // of each coordinate: second to fifth
 constexpr int translation_values = 1 + 3 * derivative_count, rotation_values = 4 * derivative_count;
 
 ellipsoid::Quaternion turned_about_z(const ellipsoid::Quaternion& q, double angle) {
-  return normalized(
-      ellipsoid::Quaternion{std::cos(0.5 * angle), 0.0, 0.0, std::sin(0.5 * angle)} * q);
+  return normalized(ellipsoid::Quaternion{std::cos(0.5 * angle), 0.0, 0.0, std::sin(0.5 * angle)} *
+                    q);
 }
 
 } // namespace
@@ -66,8 +66,8 @@ void FixNVEEllipsoid::post_create() {
     if (find_derivatives(what))
       continue;
     const std::string name = std::string("gear_") + what + "_" + id;
-    std::vector<const char*> arguments{name.c_str(), "all", "property/atom", name.c_str(),
-                                       "vector",     "yes", "no",            "no"};
+    std::vector<const char*> arguments{
+        name.c_str(), "all", "property/atom", name.c_str(), "vector", "yes", "no", "no"};
     arguments.insert(arguments.end(), static_cast<std::size_t>(count), "0.");
     modify->add_fix(static_cast<int>(arguments.size()), const_cast<char**>(arguments.data()));
   }
@@ -131,7 +131,8 @@ void FixNVEEllipsoid::keep_in_plane(int i) const {
     atom->torque[i][k] = atom->angmom[i][k] = atom->omega[i][k] = 0.0;
 }
 
-/// Particles turn together with others: as soon as the batch is full, at the latest in turn_waiting().
+/// Particles turn together with others: as soon as the batch is full, at the latest in
+/// turn_waiting().
 void FixNVEEllipsoid::turn(int i) {
   turning_[turns_.size()] = i;
   turns_.add(quaternion(atom->quaternion[i]), vector(atom->angmom[i]), vector(atom->inertia[i]));
@@ -166,8 +167,8 @@ void FixNVEEllipsoid::turn_in_plane(int i) const {
   atom->omega[i][2] = rate;
 }
 
-/// Derivatives of a particle that has none: of constant force, and of a torque that is constant in the
-/// body frame.
+/// Derivatives of a particle that has none: of constant force, and of a torque that is constant in
+/// the body frame.
 void FixNVEEllipsoid::start(int i) const {
   if (planar_)
     keep_in_plane(i);
@@ -209,7 +210,8 @@ void FixNVEEllipsoid::predict(int i, const ellipsoid::Gear& gear) const {
   double* q = atom->quaternion[i];
   const ellipsoid::Vector3 inertia = vector(atom->inertia[i]);
   if (planar_) {
-    step_in_plane(i, [&](double& angle, double& rate, double) { gear.predict(angle, rate, angular); });
+    step_in_plane(i,
+                  [&](double& angle, double& rate, double) { gear.predict(angle, rate, angular); });
     return;
   }
   double rate[4];
@@ -248,10 +250,11 @@ void FixNVEEllipsoid::correct_rotation(int i, const ellipsoid::Gear& gear) const
   const ellipsoid::Vector3 omega = vector(atom->omega[i]), inertia = vector(atom->inertia[i]);
   double rate[4], second[4];
   store(quaternion_rate(predicted, omega), rate);
-  store(quaternion_acceleration(
-            predicted, omega,
-            angular_acceleration(predicted, omega, force->ftm2v * vector(atom->torque[i]), inertia)),
-        second);
+  store(
+      quaternion_acceleration(
+          predicted, omega,
+          angular_acceleration(predicted, omega, force->ftm2v * vector(atom->torque[i]), inertia)),
+      second);
   for (int k = 0; k < 4; ++k)
     gear.correct(q[k], rate[k], angular + derivative_count * k, second[k]);
   store(normalized(quaternion(q)), q);

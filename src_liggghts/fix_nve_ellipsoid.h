@@ -17,10 +17,10 @@ struct Vector3;
 
 namespace LAMMPS_NS {
 
-/// `integrator verlet`: velocity Verlet for the translation, half a kick of the torque, a torque-free
-/// turn by symmetric splitting, half a kick of the torque for the rotation: second order.
-/// `integrator gear`: Gear's predictor-corrector for the positions and for the quaternions (for the
-/// angle, when planar); the derivatives are kept per atom in two fixes property/atom.
+/// `integrator verlet`: velocity Verlet for the translation, half a kick of the torque, a
+/// torque-free turn by symmetric splitting, half a kick of the torque for the rotation: second
+/// order. `integrator gear`: Gear's predictor-corrector for the positions and for the quaternions
+/// (for the angle, when planar); the derivatives are kept per atom in two fixes property/atom.
 class FixNVEEllipsoid : public FixNVE {
 public:
   FixNVEEllipsoid(class LAMMPS* lmp, int narg, char** arg);
@@ -39,7 +39,8 @@ private:
   ellipsoid::RotationBatch turns_;
   int turning_[ellipsoid::RotationBatch::capacity]; // particles of the batch
   bool gear_ = false;
-  // of `integrator gear`, per atom: started (1) or not (0), then second to fifth derivative of x, y, z
+  // of `integrator gear`, per atom: started (1) or not (0), then second to fifth derivative of x,
+  // y, z
   class FixPropertyAtom* translation_ = nullptr;
   // second to fifth derivative of the quaternion's w, x, y, z (planar: of the angle)
   class FixPropertyAtom* rotation_ = nullptr;

@@ -27,7 +27,7 @@ using ellipsoid_host::store;
 
 namespace {
 
-constexpr long smallest_seed = 10007; // the host wants primes above 10000
+constexpr long smallest_seed = 10007;     // the host wants primes above 10000
 constexpr long largest_seed = 2000000011; // and adds a little for each rank
 
 /// The host's base class reads keywords of its own and wants a density: it is given what it needs
@@ -54,11 +54,11 @@ private:
     if (whole && seed >= smallest_seed && seed <= largest_seed &&
         MathExtraLiggghts::isPrime(static_cast<int>(seed)))
       return;
-    error->all(FLERR, (std::string("Fix particletemplate/ellipsoid (id ") + id + "): the seed is '" +
-                       token + "', allowed is a prime number from " +
-                       std::to_string(smallest_seed) + " to " + std::to_string(largest_seed) +
-                       ", for example 15485863")
-                          .c_str());
+    error->all(FLERR,
+               (std::string("Fix particletemplate/ellipsoid (id ") + id + "): the seed is '" +
+                token + "', allowed is a prime number from " + std::to_string(smallest_seed) +
+                " to " + std::to_string(largest_seed) + ", for example 15485863")
+                   .c_str());
   }
 };
 
@@ -132,8 +132,7 @@ void FixParticletemplateEllipsoid::parse(int narg, char** arg) {
     } else if (keyword == "mass") {
       mass_ = reader.positive(keyword);
     } else if (keyword == "inertia") {
-      for (double* moment :
-           {&principal_moments_.x, &principal_moments_.y, &principal_moments_.z})
+      for (double* moment : {&principal_moments_.x, &principal_moments_.y, &principal_moments_.z})
         *moment = reader.positive(keyword);
       has_moments = true;
     } else if (keyword == "orientation") {
@@ -151,9 +150,10 @@ void FixParticletemplateEllipsoid::parse(int narg, char** arg) {
     } else if (keyword == "volume_limit") {
       vol_limit = reader.positive(keyword);
     } else {
-      reader.complain("unknown keyword '" + keyword +
-                      "', allowed are 'atom_type', 'semiaxes', 'vary', 'density', 'mass', 'inertia', "
-                      "'orientation', 'subspheres', 'spacing', 'volume_limit'");
+      reader.complain(
+          "unknown keyword '" + keyword +
+          "', allowed are 'atom_type', 'semiaxes', 'vary', 'density', 'mass', 'inertia', "
+          "'orientation', 'subspheres', 'spacing', 'volume_limit'");
     }
   }
   finish(has_semiaxes, has_moments);
@@ -165,9 +165,11 @@ void FixParticletemplateEllipsoid::parse_variation(ellipsoid_host::ArgumentReade
   const std::string keyword = "vary";
   Variation variation;
   const int which = reader.choice(keyword, {"all", "a", "b", "c", "bc"});
-  const bool chosen[5][3] = {
-      {true, true, true}, {true, false, false}, {false, true, false}, {false, false, true},
-      {false, true, true}};
+  const bool chosen[5][3] = {{true, true, true},
+                             {true, false, false},
+                             {false, true, false},
+                             {false, false, true},
+                             {false, true, true}};
   std::copy(chosen[which], chosen[which] + 3, variation.axes.begin());
   const int kind = reader.choice(keyword, {"uniform", "gaussian", "lognormal"});
   if (kind == 0) {
@@ -206,12 +208,14 @@ void FixParticletemplateEllipsoid::finish(bool has_semiaxes, bool has_moments) {
   if (!has_semiaxes)
     error->fix_error(FLERR, this, "keyword 'semiaxes' is missing; add 'semiaxes a b c'");
   if ((density_ > 0.0) == (mass_ > 0.0))
-    error->fix_error(FLERR, this,
-                     "exactly one of the keywords 'density' and 'mass' is needed; give one of them");
+    error->fix_error(
+        FLERR, this,
+        "exactly one of the keywords 'density' and 'mass' is needed; give one of them");
   if (!variations_.empty() && (mass_ > 0.0 || has_moments))
-    error->fix_error(FLERR, this,
-                     "keyword 'vary' does not go with 'mass' or 'inertia', which belong to one size; "
-                     "use 'density'");
+    error->fix_error(
+        FLERR, this,
+        "keyword 'vary' does not go with 'mass' or 'inertia', which belong to one size; "
+        "use 'density'");
   semiaxes_ *= force->cg(atom_type);
   volume_expect = ellipsoid::volume(semiaxes_);
   for (const Variation& variation : variations_)
@@ -237,9 +241,10 @@ void FixParticletemplateEllipsoid::finish(bool has_semiaxes, bool has_moments) {
 void FixParticletemplateEllipsoid::check_moments() const {
   const ellipsoid::Vector3& m = principal_moments_;
   if (m.x > m.y + m.z || m.y > m.x + m.z || m.z > m.x + m.y)
-    error->fix_error(FLERR, const_cast<FixParticletemplateEllipsoid*>(this),
-                     "keyword 'inertia': one moment is larger than the sum of the two others, which "
-                     "no rigid body has; correct the values");
+    error->fix_error(
+        FLERR, const_cast<FixParticletemplateEllipsoid*>(this),
+        "keyword 'inertia': one moment is larger than the sum of the two others, which "
+        "no rigid body has; correct the values");
 }
 
 /// Both the most and the least elongated particle must have a chain.
@@ -271,8 +276,8 @@ void FixParticletemplateEllipsoid::check_multisphere() const {
 
 void FixParticletemplateEllipsoid::fill(ParticleToInsertEllipsoid& p,
                                         const std::function<double()>& uniform) const {
-  const ellipsoid::Vector3 axes = varied(
-      [&uniform](const ellipsoid::SizeDistribution& d) { return d.draw(uniform()); });
+  const ellipsoid::Vector3 axes =
+      varied([&uniform](const ellipsoid::SizeDistribution& d) { return d.draw(uniform()); });
   const double volume = ellipsoid::volume(axes);
   const bool one_size = variations_.empty(); // its mass and moments may be given
   p.atom_type = atom_type;
@@ -309,7 +314,8 @@ void FixParticletemplateEllipsoid::randomize_single() {
 void FixParticletemplateEllipsoid::init_ptilist(int n_random_max, const bool,
                                                 FixPropertyAtom* const) {
   if (pti_list)
-    error->fix_error(FLERR, this, "is used by two insertions at once; define one template for each");
+    error->fix_error(FLERR, this,
+                     "is used by two insertions at once; define one template for each");
   n_pti_max = n_random_max;
   pti_list = static_cast<ParticleToInsert**>(
       memory->smalloc(static_cast<bigint>(sizeof(ParticleToInsert*)) * n_pti_max, "pti_list"));
@@ -339,14 +345,13 @@ unsigned int FixParticletemplateEllipsoid::generate_hash() {
   for (const double value : {semiaxes_.x, semiaxes_.y, semiaxes_.z, mass_, principal_moments_.x,
                              principal_moments_.y, principal_moments_.z})
     add_hash_value(value, start, hash);
-  for (const int value :
-       {static_cast<int>(planar_), subspheres_, static_cast<int>(spacing_)})
+  for (const int value : {static_cast<int>(planar_), subspheres_, static_cast<int>(spacing_)})
     add_hash_value(value, start, hash);
   for (const Variation& variation : variations_) {
     for (const bool axis : variation.axes)
       add_hash_value(static_cast<int>(axis), start, hash);
-    for (const double value : {variation.factor.smallest(), variation.factor.largest(),
-                               variation.factor.moment(1)})
+    for (const double value :
+         {variation.factor.smallest(), variation.factor.largest(), variation.factor.moment(1)})
       add_hash_value(value, start, hash);
   }
   return hash;

@@ -238,17 +238,19 @@ void check_data_file(Error* error, const char* name) {
   const std::string first = begins ? title.data() : "";
   std::string last(sizeof data_end - 1, ' ');
   const bool long_enough = std::fseek(file, -static_cast<long>(last.size()), SEEK_END) == 0;
-  const bool ended = long_enough && std::fread(&last[0], 1, last.size(), file) == last.size() &&
-                     last == data_end;
+  const bool ended =
+      long_enough && std::fread(&last[0], 1, last.size(), file) == last.size() && last == data_end;
   std::fclose(file);
   if (first.empty() || first.back() != '\n')
-    refuse(error, "Data", name, "has no complete first line: it is cut or no data file; write it again");
+    refuse(error, "Data", name,
+           "has no complete first line: it is cut or no data file; write it again");
   const bool own = first.compare(0, std::strlen(data_title), data_title) == 0 &&
                    first.find(own_version) != std::string::npos;
   if (own && !ended)
     refuse(error, "Data", name,
            std::string("is cut: it does not end with the line '") +
-               std::string(data_end, sizeof data_end - 2) + "' of write_data; use an older data file");
+               std::string(data_end, sizeof data_end - 2) +
+               "' of write_data; use an older data file");
 }
 
 } // namespace ellipsoid_host

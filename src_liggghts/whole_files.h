@@ -23,8 +23,8 @@ void finish_restart_file(LAMMPS_NS::Error* error, std::FILE* file, LAMMPS_NS::bi
 /// The same with a line of text that marks the end.
 void finish_data_file(LAMMPS_NS::Error* error, std::FILE* file);
 
-/// Stops with one line if the file is not as it was written. A file of another LIGGGHTS, which has no
-/// checksum, gives a warning. No complaint about a file that cannot be opened.
+/// Stops with one line if the file is not as it was written. A file of another LIGGGHTS, which has
+/// no checksum, gives a warning. No complaint about a file that cannot be opened.
 void check_restart_file(LAMMPS_NS::Error* error, const char* name);
 /// The same for a file of one rank (`%` in the name), which must be of the time step `step`.
 void check_rank_file(LAMMPS_NS::Error* error, const char* name, LAMMPS_NS::bigint step);

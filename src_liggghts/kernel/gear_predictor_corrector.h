@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Gear's predictor-corrector of fifth order for equations of second order, and what it needs to turn
-// rigid bodies.
+// Gear's predictor-corrector of fifth order for equations of second order, and what it needs to
+// turn rigid bodies.
 #pragma once
 
 #include "rigid_body.h"
@@ -14,8 +14,8 @@ namespace ellipsoid {
 using GearDerivatives = std::array<double, 4>;
 
 /// Advances a coordinate y with its rate and derivatives; y'' may depend on y and y'. Allen and
-/// Tildesley, Computer Simulation of Liquids (1987), appendix E: prediction by Taylor's series, then
-/// correction of each derivative in proportion to the error of the predicted second one.
+/// Tildesley, Computer Simulation of Liquids (1987), appendix E: prediction by Taylor's series,
+/// then correction of each derivative in proportion to the error of the predicted second one.
 class Gear {
 public:
   explicit Gear(double time_step) {
@@ -25,7 +25,8 @@ public:
       term_[n] = power; // h^n / n!
     }
     // Table E.1, second order, six values; the first entry for forces that depend on velocities
-    constexpr double scaled[6] = {3.0 / 16.0, 251.0 / 360.0, 1.0, 11.0 / 18.0, 1.0 / 6.0, 1.0 / 60.0};
+    constexpr double scaled[6] = {3.0 / 16.0,  251.0 / 360.0, 1.0,
+                                  11.0 / 18.0, 1.0 / 6.0,     1.0 / 60.0};
     for (int n = 0; n <= 5; ++n)
       gain_[n] = scaled[n] * term_[2] / term_[n];
   }

@@ -14,9 +14,9 @@ public:
   enum class Kind { constant, uniform, gaussian, lognormal };
   static constexpr double cut = 3.0;
 
-  /// constant: always `first`. uniform: by number, from `first` to `second`. gaussian: mean `first`,
-  /// standard deviation `second` (before cutting). lognormal: the logarithm has mean `first` and
-  /// standard deviation `second`.
+  /// constant: always `first`. uniform: by number, from `first` to `second`. gaussian: mean
+  /// `first`, standard deviation `second` (before cutting). lognormal: the logarithm has mean
+  /// `first` and standard deviation `second`.
   SizeDistribution(Kind kind = Kind::constant, double first = 1.0, double second = 0.0)
       : kind_(kind), first_(first), second_(second) {}
 

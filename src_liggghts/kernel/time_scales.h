@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Times that limit the time step: Rayleigh's and Hertz's, for bodies that also turn when they collide.
+// Times that limit the time step: Rayleigh's and Hertz's, for bodies that also turn when they
+// collide.
 #pragma once
 
 #include "multisphere_contact.h"
@@ -19,20 +20,21 @@ inline double rayleigh_time(double radius, double density, double shear_modulus,
   return M_PI * radius * std::sqrt(density / shear_modulus) / (0.1631 * poissons_ratio + 0.8766);
 }
 
-/// Duration of an elastic collision, 2.87 (m*^2 / (R E*^2 v))^(1/5); Johnson, Contact Mechanics (1985),
-/// eq. 11.24. @param[in] mass2_over_radius m*^2/R, m* the reduced mass at the contact (mass^2/length)
+/// Duration of an elastic collision, 2.87 (m*^2 / (R E*^2 v))^(1/5); Johnson, Contact Mechanics
+/// (1985), eq. 11.24. @param[in] mass2_over_radius m*^2/R, m* the reduced mass at the contact
+/// (mass^2/length)
 inline double hertz_time(double mass2_over_radius, double effective_modulus, double speed) {
-  return 2.87 *
-         std::pow(mass2_over_radius / (effective_modulus * effective_modulus * speed), 0.2);
+  return 2.87 * std::pow(mass2_over_radius / (effective_modulus * effective_modulus * speed), 0.2);
 }
 
-/// m*^2/R of a body that hits its like, both with the point at which they touch: R is half the radius
-/// of curvature there, 1/m* twice the mobility along the normal, 1/m + (r x n).I^-1.(r x n).
+/// m*^2/R of a body that hits its like, both with the point at which they touch: R is half the
+/// radius of curvature there, 1/m* twice the mobility along the normal, 1/m + (r x n).I^-1.(r x n).
 inline double mass2_over_radius(double curvature, double mobility) {
   return 0.5 * curvature / (mobility * mobility);
 }
 
-/// The same for the point with normal n of an ellipsoid: 1/R of (19) for two equal, aligned curvatures.
+/// The same for the point with normal n of an ellipsoid: 1/R of (19) for two equal, aligned
+/// curvatures.
 /// @param[in] p squares of the normal's components (body frame), sum 1
 inline double mass2_over_radius(const Vector3& semiaxes, double mass, const Vector3& inertia,
                                 const Vector3& p) {

@@ -37,8 +37,8 @@ def axes_of(c):
 
 class Drawn(unittest.TestCase):
     def test_every_quantity_belongs_to_the_drawn_semiaxes(self):
-        c = inserted(HEAD.format("grain", 15485863, "vary a uniform 0.5 2 vary b gaussian 1 0.1 vary c lognormal 0 0.3"),
-                     "1 grain 1.0", 2000)
+        vary = "vary a uniform 0.5 2 vary b gaussian 1 0.1 vary c lognormal 0 0.3"
+        c = inserted(HEAD.format("grain", 15485863, vary), "1 grain 1.0", 2000)
         self.assertGreater(len(c["id"]), 1900)
         axes = axes_of(c)
         mass = 1340.0 * 4.0 / 3.0 * math.pi * axes.prod(-1)
@@ -94,8 +94,8 @@ class Drawn(unittest.TestCase):
         np.testing.assert_array_equal(frames[0], frames[1])
 
     def test_chains_of_any_size(self):
-        template = ("fix grain all particletemplate/ellipsoid 15485863 semiaxes 2e-3 1e-3 1e-3 density 1340 subspheres 7 "
-                    "vary all uniform 0.5 1 vary bc uniform 0.8 1.2 ")
+        template = ("fix grain all particletemplate/ellipsoid 15485863 semiaxes 2e-3 1e-3 1e-3 density 1340 "
+                    "subspheres 7 vary all uniform 0.5 1 vary bc uniform 0.8 1.2\n")
         c = inserted(template, "1 grain 1.0", 50, MORE + ["f_subspheres"], "multisphere", more="run 50")
         self.assertEqual(set(c["f_subspheres"]), {7.0})
         self.assertGreater(np.ptp(axes_of(c)[:, 0] / axes_of(c)[:, 1]), 0.5)

@@ -34,8 +34,8 @@ double oscillator_error(int steps) {
     gear.correct(y, v, d.data(), acceleration(y, v));
   }
   const double decay = std::exp(-0.5 * damping * time);
-  return std::fabs(y - decay * (std::cos(rate * time) +
-                                0.5 * damping / rate * std::sin(rate * time)));
+  return std::fabs(y -
+                   decay * (std::cos(rate * time) + 0.5 * damping / rate * std::sin(rate * time)));
 }
 
 double distance(const Quaternion& p, const Quaternion& q) {
@@ -87,7 +87,8 @@ TEST(Gear, ExactForPolynomialsOfFifthDegree) {
 TEST(Gear, FifthOrderForADampedOscillator) {
   for (int steps = 100; steps <= 400; steps *= 2) {
     const double order = std::log2(oscillator_error(steps) / oscillator_error(2 * steps));
-    std::cout << steps << " steps: error " << oscillator_error(steps) << ", order " << order << "\n";
+    std::cout << steps << " steps: error " << oscillator_error(steps) << ", order " << order
+              << "\n";
     EXPECT_NEAR(order, 5.0, 0.2);
   }
 }
@@ -102,8 +103,9 @@ TEST(Gear, DerivativesOfAFreeRotationAreItsTaylorSeries) {
     const double t = 0.2 / (1 + n);
     double q[4];
     for (std::size_t k = 0; k < 4; ++k)
-      q[k] = start[k] + t * (rates[k] + t * (d[k][0] / 2 + t * (d[k][1] / 6 + t * (d[k][2] / 24 +
-                                                                            t * d[k][3] / 120))));
+      q[k] = start[k] +
+             t * (rates[k] +
+                  t * (d[k][0] / 2 + t * (d[k][1] / 6 + t * (d[k][2] / 24 + t * d[k][3] / 120))));
     error[n] = distance({q[0], q[1], q[2], q[3]}, free_turn(t));
   }
   EXPECT_NEAR(std::log2(error[0] / error[1]), 6.0, 0.3);
@@ -122,9 +124,11 @@ TEST(Gear, SecondDerivativesAgreeWithEulersEquations) {
   const double h = 1e-5;
   const auto momentum_after = [&](double t) {
     const Quaternion rate = quaternion_rate(orientation, omega);
-    const Quaternion q = normalized(Quaternion{
-        orientation.w + t * rate.w + 0.5 * t * t * second.w, orientation.x + t * rate.x + 0.5 * t * t * second.x,
-        orientation.y + t * rate.y + 0.5 * t * t * second.y, orientation.z + t * rate.z + 0.5 * t * t * second.z});
+    const Quaternion q =
+        normalized(Quaternion{orientation.w + t * rate.w + 0.5 * t * t * second.w,
+                              orientation.x + t * rate.x + 0.5 * t * t * second.x,
+                              orientation.y + t * rate.y + 0.5 * t * t * second.y,
+                              orientation.z + t * rate.z + 0.5 * t * t * second.z});
     return angular_momentum(omega + t * alpha, moments, q);
   };
   const Vector3 found = 0.5 / h * (momentum_after(h) - momentum_after(-h));
@@ -132,7 +136,6 @@ TEST(Gear, SecondDerivativesAgreeWithEulersEquations) {
 }
 
 TEST(Gear, AngularVelocityComesBackFromTheRate) {
-  const Vector3 again =
-      angular_velocity_of_rate(orientation, quaternion_rate(orientation, omega));
+  const Vector3 again = angular_velocity_of_rate(orientation, quaternion_rate(orientation, omega));
   EXPECT_LT(norm(again - omega), 1e-15);
 }
