@@ -1,4 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "contact_list_options.h"
 #include "pile_analysis.h"
 #include "pile_commands.h"
 
@@ -7,12 +8,22 @@
 namespace ellipsoid::post {
 namespace {
 
-Row coordination_row(const PileCommandOptions& options, const ChosenFrame& chosen) {
+struct CoordinationCommandOptions : PileCommandOptions {
+  ContactListOptions contacts;
+};
+
+Row coordination_row(const CoordinationCommandOptions& options, const ChosenFrame& chosen) {
   const PileOptions settings = plane_settings(options.plane);
   const Pile pile = find_pile(chosen.set, settings);
-  warn_of_digits(chosen);
-  const Coordination z =
-      coordination(chosen.set, pile.members, coordination_settings(options, settings, pile.mean_b));
+  const CoordinationOptions counting = coordination_settings(options, settings, pile.mean_b);
+  const bool is_listed = !options.contacts.files.empty();
+  if (!is_listed)
+    warn_of_digits(chosen);
+  const ContactNetwork network =
+      is_listed ? listed_contacts(contact_list_at(options.contacts, chosen.frame.timestep),
+                                  options.contacts.columns, chosen.set)
+                : find_contacts(chosen.set, counting.gap);
+  const Coordination z = coordination(chosen.set, pile.members, network, counting);
   Row row = frame_row(chosen);
   append_pile(row, chosen.set, pile, settings);
   append_coordination(row, z, pile.mean_b);
@@ -23,12 +34,21 @@ Row coordination_row(const PileCommandOptions& options, const ChosenFrame& chose
 } // namespace
 
 void add_coordination_command(CLI::App& program, int& exit_code) {
-  auto options = std::make_shared<PileCommandOptions>();
+  auto options = std::make_shared<CoordinationCommandOptions>();
   CLI::App* command = program.add_subcommand("coordination", "coordination numbers and overlaps");
-  command->footer(std::string(pile_definition) + "\n" + coordination_definition);
+  command->footer(
+      std::string(pile_definition) + "\n" + coordination_definition +
+      "\nWith --contacts the contacts of the particles are those of the list (walls are "
+      "looked up in the geometry); overlaps are known with --overlap-column only.");
   add_frame_options(*command, options->frames);
   add_plane_options(*command, options->plane);
   add_coordination_options(*command, *options);
+  auto* contacts = add_contact_list_options(*command, options->contacts,
+                                            "counts these instead of recomputing them");
+  command
+      ->add_option("--overlap-column", options->contacts.columns.overlap,
+                   "of the contact list: the overlap")
+      ->needs(contacts);
   command->callback([options, &exit_code] {
     exit_code =
         run_pile_command(options->frames, "Coordination numbers",

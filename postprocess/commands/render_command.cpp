@@ -1,10 +1,9 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#include "frame_stream.h"
+#include "contact_list_options.h"
 #include "picture_options.h"
 #include "pile_analysis.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <memory>
 
 namespace ellipsoid::post {
@@ -17,22 +16,8 @@ struct RenderOptions {
   std::vector<double> view, colour_range;
   std::string output;
   bool no_fit = false;
-  std::vector<std::string> contact_files;
-  ContactColumns contact_columns;
+  ContactListOptions contacts;
 };
-
-/// The frame of a contact list at one time step.
-Frame contact_list(const std::vector<std::string>& files, std::int64_t timestep) {
-  for (const Run& run : runs_of(files, RunGrouping::one_run)) {
-    FrameStream stream(run.files);
-    Frame frame;
-    while (stream.next(frame))
-      if (frame.timestep == timestep)
-        return frame;
-  }
-  throw InputError(fmt::format("{}: no contacts of time step {}; dump both at the same steps",
-                               fmt::join(files, " "), timestep));
-}
 
 void render(const RenderOptions& options, const ChosenFrame& chosen) {
   const PileOptions settings = plane_settings(options.plane);
@@ -45,27 +30,22 @@ void render(const RenderOptions& options, const ChosenFrame& chosen) {
     picture.colour_low = options.colour_range[0];
     picture.colour_high = options.colour_range[1];
   }
-  if (!options.contact_files.empty())
-    picture.force_chains = force_links(contact_list(options.contact_files, chosen.frame.timestep),
-                                       options.contact_columns, chosen.set);
+  if (!options.contacts.files.empty())
+    picture.force_chains = force_links(contact_list_at(options.contacts, chosen.frame.timestep),
+                                       options.contacts.columns, chosen.set);
   write_pile_picture(options.output, chosen, pile, settings, try_repose(pile, settings), picture);
 }
 
-void add_force_chain_options(CLI::App& command, RenderOptions& options) {
-  auto* contacts = command.add_option(
-      "--contacts", options.contact_files,
-      "contact lists (dump local) of the same time steps: draws the force chains");
-  auto* ids = command.add_option("--id-columns", options.contact_columns.ids,
-                                 "of the contact list: ids of the two particles");
-  auto* forces = command.add_option("--force-columns", options.contact_columns.forces,
+void add_force_chain_options(CLI::App& command, ContactListOptions& options) {
+  auto* contacts = add_contact_list_options(command, options, "draws the force chains");
+  auto* forces = command.add_option("--force-columns", options.columns.forces,
                                     "of the contact list: the force");
-  auto* normals = command.add_option("--normal-columns", options.contact_columns.normals,
+  auto* normals = command.add_option("--normal-columns", options.columns.normals,
                                      "of the contact list: the normal; then only the normal part "
                                      "of the force is drawn");
-  ids->expected(2)->needs(contacts);
   forces->expected(3)->needs(contacts);
   normals->expected(3)->needs(contacts);
-  contacts->needs(ids)->needs(forces);
+  contacts->needs(forces);
 }
 
 } // namespace
@@ -111,7 +91,7 @@ void add_render_command(CLI::App& program, int& exit_code) {
   command->add_flag("--no-fit", options->no_fit, "without the line A-B");
   command->add_flag("--surface", options->picture.show_surface, "draw the free surface y_max(x)");
   command->add_flag("--discs", options->picture.show_discs, "draw inner outlines of sub-spheres");
-  add_force_chain_options(*command, *options);
+  add_force_chain_options(*command, options->contacts);
   command->callback([options, &exit_code] {
     exit_code =
         for_chosen_frames(options->frames, [&](const ChosenFrame& f) { render(*options, f); });

@@ -101,10 +101,9 @@ std::string figures_of(const Table& runs) {
 std::string page(const ReportOptions& options, const Findings& findings) {
   std::string body = "<h2>Mean and margin over runs</h2>\n";
   body += html_table(summary_for_people(findings.runs, groups, quantities));
-  body += "<p>Margins are half ranges, as in the paper. The paper's smooth ellipse: angle of "
-          "repose 22.7 &plusmn; 1.8&deg;, porosity 0.13 &plusmn; 4.0 %, coordination number 3.90 "
-          "&plusmn; 2.5 %; 17 sub-spheres: 23.3&deg;, 0.14, 3.90; 5 sub-spheres: 26.6&deg; (one "
-          "run); 3 sub-spheres: 29.1&deg;, 0.25.</p>\n";
+  body += "<p>Margins are half ranges, as in the paper.</p>\n";
+  if (const Table compared = compared_with_paper(findings.runs); !compared.rows.empty())
+    body += "<h2>Compared with the paper</h2>\n" + html_table(compared);
   body += "<h2>Figures</h2>\n" + figures_of(findings.runs);
   body += "<h2>Runs</h2>\n" + html_table(findings.runs);
   body += "<h2>Piles</h2>\n" + findings.pictures;

@@ -69,10 +69,11 @@ std::vector<double> row_forces(const Frame& list, const ContactColumns& columns)
   return result;
 }
 
-} // namespace
+using Pair = std::pair<std::size_t, std::size_t>; ///< indices, the smaller first
 
-std::vector<ForceLink> force_links(const Frame& list, const ContactColumns& columns,
-                                   const ParticleSet& set) {
+/// The two particles of each row of a list.
+std::vector<Pair> row_pairs(const Frame& list, const ContactColumns& columns,
+                            const ParticleSet& set) {
   std::unordered_map<double, std::size_t> index_of_id;
   for (std::size_t k = 0; k < set.particles.size(); ++k)
     index_of_id[static_cast<double>(set.particles[k].id)] = k;
@@ -85,12 +86,39 @@ std::vector<ForceLink> force_links(const Frame& list, const ContactColumns& colu
                        fmt::format("{}, which the dump of the particles does not have", id));
     return found->second;
   };
-  const std::vector<double> forces = row_forces(list, columns);
-  std::map<std::pair<std::size_t, std::size_t>, double> force_of_pair;
-  for (std::size_t row = 0; row < list.rows; ++row) {
-    const std::size_t i = index_at(columns.ids.at(0), row), j = index_at(columns.ids.at(1), row);
-    force_of_pair[{std::min(i, j), std::max(i, j)}] += forces[row];
+  std::vector<Pair> pairs;
+  for (std::size_t row = 0; row < list.rows; ++row)
+    pairs.push_back(
+        std::minmax({index_at(columns.ids.at(0), row), index_at(columns.ids.at(1), row)}));
+  return pairs;
+}
+
+} // namespace
+
+ContactNetwork listed_contacts(const Frame& list, const ContactColumns& columns,
+                               const ParticleSet& set) {
+  const std::vector<Pair> pairs = row_pairs(list, columns, set);
+  std::map<Pair, std::vector<double>> overlaps;
+  for (std::size_t row = 0; row < list.rows; ++row)
+    overlaps[pairs[row]].push_back(
+        columns.overlap.empty() ? 0.0 : list.required(columns.overlap, "the overlap")[row]);
+  ContactNetwork network;
+  for (const auto& [pair, values] : overlaps) {
+    network.pairs.push_back({pair.first, pair.second, network.contacts.size(), values.size(),
+                             *std::max_element(values.begin(), values.end())});
+    for (const double overlap : values)
+      network.contacts.push_back({{}, {}, overlap});
   }
+  return network;
+}
+
+std::vector<ForceLink> force_links(const Frame& list, const ContactColumns& columns,
+                                   const ParticleSet& set) {
+  const std::vector<Pair> pairs = row_pairs(list, columns, set);
+  const std::vector<double> forces = row_forces(list, columns);
+  std::map<Pair, double> force_of_pair;
+  for (std::size_t row = 0; row < list.rows; ++row)
+    force_of_pair[pairs[row]] += forces[row];
   std::vector<ForceLink> links;
   for (const auto& [pair, force] : force_of_pair)
     if (force > 0.0)

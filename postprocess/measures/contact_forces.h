@@ -1,8 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #pragma once
 
-#include "frame.h"
-#include "particles.h"
+#include "contacts.h"
 
 #include <string>
 #include <vector>
@@ -29,7 +28,15 @@ struct ContactColumns {
   std::vector<std::string> ids;     ///< of the two particles
   std::vector<std::string> forces;  ///< x y z
   std::vector<std::string> normals; ///< x y z; empty: not listed
+  std::string overlap;              ///< empty: not listed
 };
+
+/// The contacts of a list as a network: pairs and overlaps (0 where not listed); points and normals
+/// are not filled.
+/// @param[in] set the particles of the same moment
+/// Throws InputError when the list names a particle that is not there.
+ContactNetwork listed_contacts(const Frame& list, const ContactColumns& columns,
+                               const ParticleSet& set);
 
 /// A link of a force chain: two touching particles and the force between them.
 struct ForceLink {

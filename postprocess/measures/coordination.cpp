@@ -56,7 +56,11 @@ void add_overlaps(Coordination& result, const ContactNetwork& network,
 
 Coordination coordination(const ParticleSet& set, const std::vector<std::size_t>& members,
                           const CoordinationOptions& options) {
-  const ContactNetwork network = find_contacts(set, options.gap);
+  return coordination(set, members, find_contacts(set, options.gap), options);
+}
+
+Coordination coordination(const ParticleSet& set, const std::vector<std::size_t>& members,
+                          const ContactNetwork& network, const CoordinationOptions& options) {
   std::vector<char> is_member(set.particles.size(), 0), is_backbone(set.particles.size(), 0);
   for (const std::size_t i : members)
     is_member[i] = 1;

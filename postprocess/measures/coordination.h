@@ -30,4 +30,8 @@ struct Coordination {
 Coordination coordination(const ParticleSet& set, const std::vector<std::size_t>& members,
                           const CoordinationOptions& options);
 
+/// The same with contacts that are known already.
+Coordination coordination(const ParticleSet& set, const std::vector<std::size_t>& members,
+                          const ContactNetwork& network, const CoordinationOptions& options);
+
 } // namespace ellipsoid::post

@@ -220,6 +220,39 @@ std::vector<Chart> figure_15(const Table& runs, double aspect) {
 
 const std::vector<int> known_figures = {5, 12, 13, 15, 17, 18};
 
+Table compared_with_paper(const Table& runs) {
+  struct Compared {
+    std::string key, name, unit;
+    const std::vector<paper::Reported>& reported;
+  };
+  const std::vector<Compared> quantities = {
+      {"repose_angle_deg", "angle of repose", "deg", paper::repose_angle},
+      {"porosity", "porosity", "", paper::porosity},
+      {"zpp", "coordination number", "", paper::coordination}};
+  const auto with_margin = [](double value, double margin) {
+    return margin > 0.0 ? fmt::format("{:.4g} +- {:.2g}", value, margin)
+                        : fmt::format("{:.4g}", value);
+  };
+  Table table{"Compared with the paper", {}};
+  for (const Compared& q : quantities) {
+    const auto ours = by_subspheres(runs, q.key, "true");
+    for (const paper::Reported& r : q.reported)
+      if (const auto found = ours.find(r.subspheres); found != ours.end()) {
+        const Spread& s = found->second;
+        const std::string shape =
+            r.subspheres > 0 ? fmt::format("N = {}", r.subspheres) : "ellipse";
+        table.rows.push_back(
+            {{"quantity", "quantity", "", q.name + (q.unit.empty() ? "" : " [" + q.unit + "]")},
+             {"shape", "particles", "", shape},
+             {"paper", "paper", "", with_margin(r.value, r.margin)},
+             {"here", "here", "", with_margin(s.mean, s.half_range)},
+             {"runs", "runs", "", static_cast<std::int64_t>(s.count)},
+             {"difference_percent", "difference", "%", 100.0 * (s.mean / r.value - 1.0)}});
+      }
+  }
+  return table;
+}
+
 std::vector<Chart> figure(int number, const Table& runs, double aspect_ratio) {
   switch (number) {
   case 5:

@@ -3,6 +3,7 @@
 import gzip
 import os
 import random
+import re
 import resource
 
 from _synthetic import (COLUMNS, frame_text, json_of, particle, post, rows_of, wedge, write)
@@ -78,6 +79,14 @@ def check_fine_chains(reference):
     assert 0 < 1 - total < missing_area, (total, missing_area)
     assert abs(float(fine["repose_angle_deg"]) - float(reference["repose_angle_deg"])) < 0.01
     assert abs(float(fine["porosity"]) - float(reference["porosity"])) < missing_area
+    # chains are thinner than the ellipse by up to the outline's deviation: so much closer they touch
+    gap = 2 * float(shape["outline_deviation_b"])
+    (near,) = rows_of("coordination", "fine.dump", "--contact-gap", gap)
+    (smooth,) = rows_of("coordination", "one.dump", "--contact-gap", gap)
+    assert (near["zpp"], near["rattlers"]) == (smooth["zpp"], smooth["rattlers"]), (near, smooth)
+    for command, key in (("orientation", "nematic_order"), ("energy", "potential_J")):
+        values = [rows_of(command, name)[0][key] for name in ("fine.dump", "one.dump")]
+        assert values[0] == values[1], (command, values)
 
 
 def check_summary():
@@ -100,6 +109,9 @@ def check_summary():
     post("report", "one.dump", "other.dump", "coarse.dump", "-o", "report.html")
     with open("report.html", encoding="utf8") as file:
         page = file.read()
+    (paper,) = re.findall(r"<tr><td>porosity</td><td>ellipse</td><td>0.13 .. 0.0052</td>.*", page)
+    mean = sum(float(row["porosity"]) for row in runs) / 2
+    assert f"<td>{mean:.4g} +- " in paper and "<td>2</td>" in paper, paper
     assert page.count("<figure>") >= 5 and "http" not in page.replace("http-equiv", "")
 
 

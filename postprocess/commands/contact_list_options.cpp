@@ -1,0 +1,34 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "contact_list_options.h"
+
+#include "frame_stream.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace ellipsoid::post {
+
+CLI::Option* add_contact_list_options(CLI::App& command, ContactListOptions& options,
+                                      const std::string& purpose) {
+  CLI::Option* contacts = command.add_option(
+      "--contacts", options.files, "contact lists (dump local) of the same time steps: " + purpose);
+  CLI::Option* ids = command.add_option("--id-columns", options.columns.ids,
+                                        "of the contact list: ids of the two particles");
+  ids->expected(2)->needs(contacts);
+  contacts->needs(ids);
+  return contacts;
+}
+
+Frame contact_list_at(const ContactListOptions& options, std::int64_t timestep) {
+  for (const Run& run : runs_of(options.files, RunGrouping::one_run)) {
+    FrameStream stream(run.files);
+    Frame frame;
+    while (stream.next(frame))
+      if (frame.timestep == timestep)
+        return frame;
+  }
+  throw InputError(fmt::format("{}: no contacts of time step {}; dump both at the same steps",
+                               fmt::join(options.files, " "), timestep));
+}
+
+} // namespace ellipsoid::post
