@@ -41,7 +41,7 @@ const std::vector<ContactRecord>& EllipsoidContactCaller::records_of(Compute& co
   return records_;
 }
 
-void EllipsoidContactCaller::add_record(const SurfacesIntersectData& contact, const double* force,
+void EllipsoidContactCaller::add_record(SurfacesIntersectData contact, ellipsoid::Vector3 force,
                                         Atom& atom, TriMesh* mesh) {
   const int i = contact.i, j = contact.j;
   ContactRecord r;
@@ -62,7 +62,7 @@ void EllipsoidContactCaller::add_record(const SurfacesIntersectData& contact, co
   }
   r.point = vector(contact.contact_point);
   r.normal = -vector(contact.en);
-  r.force = weight_ * vector(force);
+  r.force = weight_ * force;
   r.overlap = contact.deltan;
   r.reduced_radius = contact.reff;
   r.area = area_factor * M_PI * contact.reff * contact.deltan; // Hertz: a circle of radius sqrt(R h)

@@ -74,10 +74,11 @@ public:
                                                const LAMMPS_NS::Update& update,
                                                LAMMPS_NS::Error& error) const;
 
+  /// Values, not references: the caller's own may then live in registers.
   /// @param[in] force on i, of all models
   /// @param[in] mesh  that the contact's triangle belongs to; null elsewhere
-  void add_record(const SurfacesIntersectData& contact, const double* force,
-                  LAMMPS_NS::Atom& atom, LAMMPS_NS::TriMesh* mesh);
+  void add_record(SurfacesIntersectData contact, ellipsoid::Vector3 force, LAMMPS_NS::Atom& atom,
+                  LAMMPS_NS::TriMesh* mesh);
 
 private:
   bool keeps_records_ = false;

@@ -18,7 +18,6 @@
 #include "neighbor.h"
 #include "pair_gran_ellipsoid.h"
 #include "settings.h"
-#include "surface_paths.h"
 #include "update.h"
 
 #include <algorithm>
@@ -31,16 +30,19 @@ namespace LIGGGHTS {
 
 using namespace ContactModels;
 
-/// Sums of paths are rounded: so much of a gap is relied upon.
+/// Travels are sums of many terms, which are rounded: so much of a gap is relied upon.
 constexpr double trusted_share_of_gap = 1.0 - 1e-9;
 
 /// Names of history values, and whether they change sign when the pair is seen from j.
 using SearchHistory = std::vector<std::pair<std::string, bool>>;
 
 /// @tparam Surface the derived class. It has
-///          - prepare(): before the first pair;
-///          - treat_pair(i, j, flag, history): returns a length by which the surfaces are apart at
-///            least, 0 if they touch or nothing is known;
+///          - prepare(): before the first pair; returns whether the neighbour lists are new;
+///          - begin_lists(pairs): after that, if they are;
+///          - travelled(i): how far any point of particle i has moved at most since then (length);
+///          - treat_pair(i, j, pair, travelled, flag, history), `pair` the place in the lists and
+///            `travelled` that of both: returns a length by which the surfaces are apart at least,
+///            0 if they touch or nothing is known;
 ///          - finish(): after the last pair.
 /// @tparam Model   the host's ContactModel<...>
 template <typename Surface, typename Model>
@@ -85,24 +87,26 @@ public:
   void compute_force(PairGran*, int eflag, int vflag, int addflag) override {
     begin(eflag, vflag, addflag);
     Surface& surface = static_cast<Surface&>(*this);
-    surface.prepare();
+    if (surface.prepare())
+      surface.begin_lists(wake_all());
+    counts_.values[ContactCounts::near_pairs] = near_pairs_;
     const NeighList* list = pair_->list;
     std::size_t pair = 0;
     for (int ii = 0; ii < list->inum; ++ii) {
       const int i = list->ilist[ii];
-      const double path_i = paths_[i];
+      const double travelled_i = surface.travelled(i);
       double* history = pair_->listgranhistory->firstdouble[i];
       int* flags = pair_->listgranhistory->firstneigh[i];
       const int* neighbours = list->firstneigh[i];
       const int count = list->numneigh[i];
       for (int jj = 0; jj < count; ++jj, ++pair) {
         const int j = neighbours[jj] & NEIGHMASK;
-        const double paths = path_i + paths_[j];
-        if (paths < asleep_until_[pair])
+        const double travelled = travelled_i + surface.travelled(j);
+        if (travelled < asleep_until_[pair])
           continue;
-        const double gap =
-            surface.treat_pair(i, j, flags[jj], &history[history_values_ * jj]);
-        asleep_until_[pair] = gap > 0.0 ? paths + trusted_share_of_gap * gap : 0.0;
+        const double gap = surface.treat_pair(i, j, pair, travelled, flags[jj],
+                                              &history[history_values_ * jj]);
+        asleep_until_[pair] = gap > 0.0 ? travelled + trusted_share_of_gap * gap : 0.0;
       }
     }
     surface.finish();
@@ -121,12 +125,10 @@ protected:
   int frozen_group_ = 0;
   const double* rigid_masses_ = nullptr; // of the bodies that particles belong to
 
-  // Surfaces that are apart cannot touch before the paths of the two particles have grown by their
-  // gap: until then the pair sleeps. One value per pair of the neighbour list.
-  SurfacePaths paths_;
+  // Surfaces that are apart cannot touch before the two particles have travelled their gap: until
+  // then the pair sleeps. One value per pair of the neighbour lists.
   std::vector<double> asleep_until_;
   double near_pairs_ = 0.0;
-  bigint lists_built_ = -1;
 
   static void reserve(PairGranEllipsoid* pair, const SearchHistory& search_history) {
     for (const auto& value : search_history)
@@ -146,13 +148,8 @@ protected:
     return squared < reach * reach ? 0.0 : std::sqrt(squared) - reach;
   }
 
-  /// Wakes all pairs when the neighbour lists are new.
-  void follow_motion() {
-    const bool lists_are_new = neighbor->ago == 0 || lists_built_ != neighbor->ncalls;
-    lists_built_ = neighbor->ncalls;
-    paths_.update(*atom, lists_are_new);
-    if (!lists_are_new)
-      return;
+  /// Returns the number of pairs in the neighbour lists.
+  std::size_t wake_all() {
     const NeighList* list = pair_->list;
     std::size_t pairs = 0;
     near_pairs_ = 0.0;
@@ -163,6 +160,7 @@ protected:
         near_pairs_ += share(list->firstneigh[i][jj] & NEIGHMASK);
     }
     asleep_until_.assign(pairs, 0.0);
+    return pairs;
   }
 
   /// Pairs with a ghost are treated by two ranks.
@@ -174,9 +172,7 @@ protected:
     else
       pair_->evflag = pair_->vflag_fdotr = 0;
     history_values_ = pair_->dnum();
-    follow_motion();
     counts_ = ContactCounts();
-    counts_.values[ContactCounts::near_pairs] = near_pairs_;
     collect_ = pair_->cpl() && addflag;
     reports_ = collect_ || pair_->evflag || pair_->store_sum_normal_force() ||
                pair_->storeContactForces() || pair_->storeContactForcesStress();

@@ -8,6 +8,7 @@
 
 #include "atom.h"
 #include "ellipsoid_contact_caller.h"
+#include "ellipsoid_host.h"
 #include "math_extra_liggghts_nonspherical.h"
 #include "surface_model_base.h"
 
@@ -46,7 +47,7 @@ public:
   inline void endSurfacesIntersect(SurfacesIntersectData& sidata, TriMesh* mesh,
                                    double* const force) {
     if (sidata.computeflag && caller_->keeps_records())
-      caller_->add_record(sidata, force, *atom, mesh);
+      caller_->add_record(sidata, ellipsoid_host::vector(force), *atom, mesh);
   }
   inline void surfacesClose(SurfacesCloseData&, ForceData&, ForceData&) {}
   inline void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) {}

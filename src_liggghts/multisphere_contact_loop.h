@@ -11,6 +11,7 @@
 
 #include "ellipsoid_contact_loop.h"
 #include "multisphere_particles.h"
+#include "multisphere_watch.h"
 
 namespace LIGGGHTS {
 
@@ -40,37 +41,76 @@ public:
 
 private:
   enum { key_sum, key_difference }; // offsets in a slot
+  using SpherePair = ellipsoid::ContactWatch::SpherePair;
+
+  /// A search finds the spheres that may touch within so many time steps at the present velocities,
+  /// but not nearer nor farther than these shares of both radii of the bodies' middles.
+  static constexpr double look_ahead = 12.0;
+  static constexpr double smallest_gap_share = 1e-4, largest_gap_share = 0.1;
 
   ellipsoid_host::MultisphereParticles particles_;
+  ellipsoid::ContactWatch watch_;
   std::vector<ellipsoid::SphereContact> found_;
-  std::vector<int> slot_of_; // per contact found
-  std::vector<char> taken_;  // per slot
+  std::vector<SpherePair*> touching_; // per contact found
   int slot_values_ = 0, slots_ = 0;
   ellipsoid::MulticontactRule rule_ = ellipsoid::MulticontactRule::sum;
 
-  void prepare() { particles_.update(); }
+  /// Whether the neighbour lists are new.
+  bool prepare() { return particles_.update(); }
+  void begin_lists(std::size_t pairs) { watch_.restart(pairs); }
+  double travelled(int i) const { return particles_.travelled(i); }
   void finish() {}
 
-  double treat_pair(int i, int j, int& flag, double* history) {
+  double treat_pair(int i, int j, std::size_t pair, double travelled, int& flag, double* history) {
     const ellipsoid::Vector3 distance = this->centre_distance(i, j);
-    double gap = this->bounding_gap(i, j, distance);
-    found_.clear();
-    if (gap == 0.0) {
-      const ellipsoid::ContactCount count =
-          find_contacts(particles_.pose(i), particles_.pose(j), distance, found_);
-      counts_.values[ContactCounts::tested] += this->share(j) * count.tested;
-      if (found_.empty())
-        gap = smallest_gap(particles_.pose(i), particles_.pose(j), distance);
+    if (watch_.is_due(pair, travelled)) {
+      const int tested = watch_.search(pair, travelled, particles_.pose(i), particles_.pose(j),
+                                       distance, search_gap(i, j));
+      counts_.values[ContactCounts::tested] += this->share(j) * tested;
+      if (flag)
+        recall_slots(i, j, pair, flag, history);
     }
-    if (found_.empty() && !flag)
-      return gap;
-    assign_slots(i, j, flag, history);
-    flag = 0;
-    if (found_.empty())
-      return gap;
+    if (watch_.is_empty(pair)) {
+      flag = 0;
+      return watch_.until(pair) - travelled;
+    }
+    find_touching(i, j, pair, distance);
+    update_slots(i, j, pair, flag, history);
+    if (!found_.empty())
+      treat_contacts(i, j, distance, flag, history);
+    return 0.0;
+  }
+
+  double search_gap(int i, int j) const {
+    const auto speed = [this](int k) {
+      const ellipsoid::ChainPose& pose = particles_.pose(k);
+      return norm(ellipsoid_host::vector(atom->v[k])) +
+             pose.scale * pose.chain->half_length() * norm(ellipsoid_host::vector(atom->omega[k]));
+    };
+    const double radii = atom->shape[i][1] + atom->shape[j][1];
+    return std::clamp(look_ahead * this->update->dt * (speed(i) + speed(j)),
+                      smallest_gap_share * radii, largest_gap_share * radii);
+  }
+
+  void find_touching(int i, int j, std::size_t pair, const ellipsoid::Vector3& distance) {
+    const ellipsoid::ChainPose &pose_i = particles_.pose(i), &pose_j = particles_.pose(j);
+    found_.clear();
+    touching_.clear();
+    ellipsoid::SphereContact contact;
+    for (SpherePair* s = watch_.begin(pair); s != watch_.end(pair); ++s)
+      if (touch(pose_i, pose_j, distance, s->sphere_i, s->sphere_j, contact)) {
+        found_.push_back(contact);
+        touching_.push_back(s);
+      }
+    counts_.values[ContactCounts::tested] +=
+        this->share(j) * static_cast<double>(watch_.end(pair) - watch_.begin(pair));
+  }
+
+  void treat_contacts(int i, int j, const ellipsoid::Vector3& distance, int& flag,
+                      double* history) {
+    const double contacts = static_cast<double>(found_.size());
     counts_.values[ContactCounts::touching_pairs] += this->share(j);
-    counts_.values[ContactCounts::contacts] +=
-        this->share(j) * static_cast<double>(found_.size());
+    counts_.values[ContactCounts::contacts] += this->share(j) * contacts;
     flag = CONTACT_SURFACE_MODEL;
     const SurfacesIntersectData pair = this->pair_record(i, j, distance, flag);
     const double weight = multicontact_weight(rule_, static_cast<int>(found_.size()));
@@ -78,53 +118,60 @@ private:
       const ellipsoid::SphereContact& c = found_[k];
       SurfacesIntersectData record = pair;
       this->fill_contact(record, c.normal, c.point, c.overlap, c.reduced_radius, c.radius_i,
-                         c.radius_j, &history[slot_values_ * slot_of_[k]]);
+                         c.radius_j, &history[slot_values_ * touching_[k]->slot]);
       pair_->set_spheres(c.sphere_i, c.sphere_j, weight);
       this->apply_contact(record, weight);
     }
-    return 0.0;
+  }
+
+  /// After a search: which of its spheres have a slot from before. Contacts of other spheres are over.
+  void recall_slots(int i, int j, std::size_t pair, int& flag, double* history) {
+    for (int s = 0; s < slots_; ++s) {
+      double* slot = &history[slot_values_ * s];
+      if (slot[key_sum] == 0.0)
+        continue;
+      SpherePair* found = std::find_if(
+          watch_.begin(pair), watch_.end(pair), [slot](const SpherePair& candidate) {
+            return slot[key_sum] == candidate.sphere_i + candidate.sphere_j + 1 &&
+                   slot[key_difference] == candidate.sphere_i - candidate.sphere_j;
+          });
+      if (found != watch_.end(pair))
+        found->slot = static_cast<short>(s);
+      else
+        clear_slot(i, j, flag, slot);
+    }
   }
 
   /// Known contacts keep their slots, contacts that ended leave theirs, new ones get free slots.
-  void assign_slots(int i, int j, int& flag, double* history) {
-    taken_.assign(static_cast<std::size_t>(slots_), 0);
-    slot_of_.assign(found_.size(), -1);
-    for (std::size_t k = 0; k < found_.size(); ++k) {
-      slot_of_[k] = slot_with(found_[k], history);
-      if (slot_of_[k] >= 0)
-        taken_[static_cast<std::size_t>(slot_of_[k])] = 1;
+  void update_slots(int i, int j, std::size_t pair, int& flag, double* history) {
+    auto touching = touching_.begin();
+    for (SpherePair* s = watch_.begin(pair); s != watch_.end(pair); ++s) {
+      if (touching != touching_.end() && *touching == s) {
+        ++touching;
+      } else if (s->slot >= 0) {
+        clear_slot(i, j, flag, &history[slot_values_ * s->slot]);
+        s->slot = -1;
+      }
     }
-    for (int s = 0; s < slots_; ++s) {
-      double* slot = &history[slot_values_ * s];
-      if (taken_[static_cast<std::size_t>(s)] || slot[key_sum] == 0.0)
-        continue;
-      this->forget_contact(i, j, flag, slot);
-      std::fill_n(slot, slot_values_, 0.0);
-    }
+    flag = 0;
     int free_slot = 0;
-    for (std::size_t k = 0; k < found_.size(); ++k) {
-      if (slot_of_[k] >= 0)
+    for (SpherePair* s : touching_) {
+      if (s->slot >= 0)
         continue;
-      while (free_slot < slots_ && taken_[static_cast<std::size_t>(free_slot)])
+      while (free_slot < slots_ && history[slot_values_ * free_slot + key_sum] != 0.0)
         ++free_slot;
       if (free_slot == slots_)
         complain_of_slots(i, j);
-      taken_[static_cast<std::size_t>(free_slot)] = 1;
-      slot_of_[k] = free_slot;
+      s->slot = static_cast<short>(free_slot);
       double* slot = &history[slot_values_ * free_slot];
-      slot[key_sum] = found_[k].sphere_i + found_[k].sphere_j + 1;
-      slot[key_difference] = found_[k].sphere_i - found_[k].sphere_j;
+      slot[key_sum] = s->sphere_i + s->sphere_j + 1;
+      slot[key_difference] = s->sphere_i - s->sphere_j;
     }
   }
 
-  int slot_with(const ellipsoid::SphereContact& c, const double* history) const {
-    for (int s = 0; s < slots_; ++s) {
-      const double* slot = &history[slot_values_ * s];
-      if (slot[key_sum] == c.sphere_i + c.sphere_j + 1 &&
-          slot[key_difference] == c.sphere_i - c.sphere_j)
-        return s;
-    }
-    return -1;
+  void clear_slot(int i, int j, int& flag, double* slot) {
+    this->forget_contact(i, j, flag, slot);
+    std::fill_n(slot, slot_values_, 0.0);
   }
 
   void complain_of_slots(int i, int j) {

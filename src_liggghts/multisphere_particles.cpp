@@ -6,6 +6,7 @@
 #include "error.h"
 #include "fix_property_atom.h"
 #include "modify.h"
+#include "multisphere_watch.h"
 #include "neighbor.h"
 
 #include <cmath>
@@ -88,7 +89,7 @@ ellipsoid::ChainPose MultisphereParticles::make_pose(int i) {
 
 /// Which chain a particle has is looked up when the neighbour lists are new: only then particles
 /// come and go, on all ranks at once.
-void MultisphereParticles::update() {
+bool MultisphereParticles::update() {
   const auto count = static_cast<std::size_t>(atom->nlocal + atom->nghost);
   const bool new_lists = neighbor->ago == 0;
   if (new_lists || poses_.size() != count)
@@ -98,16 +99,32 @@ void MultisphereParticles::update() {
     if (spacing_)
       spacing_->do_forward_comm();
   }
-  if (new_lists || poses_.size() != count)
-    find_chains(count);
-  for (std::size_t i = 0; i < count; ++i)
-    place(static_cast<int>(i), poses_[i]);
+  if (new_lists || poses_.size() != count) {
+    begin_lists(count);
+    return true;
+  }
+  move();
+  return false;
 }
 
-void MultisphereParticles::find_chains(std::size_t count) {
+void MultisphereParticles::begin_lists(std::size_t count) {
   poses_.resize(count);
-  for (std::size_t i = 0; i < count; ++i)
-    poses_[i].chain = chain(static_cast<int>(i));
+  centres_.resize(count);
+  travelled_.assign(count, 0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    poses_[i] = make_pose(static_cast<int>(i));
+    centres_[i] = vector(atom->x[i]);
+  }
+}
+
+void MultisphereParticles::move() {
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    const ellipsoid::ChainPose before = poses_[i];
+    const ellipsoid::Vector3 centre = vector(atom->x[i]);
+    place(static_cast<int>(i), poses_[i]);
+    travelled_[i] += travel(before, poses_[i], centre - centres_[i]);
+    centres_[i] = centre;
+  }
 }
 
 } // namespace ellipsoid_host

@@ -34,8 +34,11 @@ public:
   explicit MultisphereParticles(LAMMPS_NS::LAMMPS* lmp) : Pointers(lmp) {}
 
   /// Poses of all owned and ghost particles; to be called once per time step, on all ranks.
-  void update();
+  /// @return whether the neighbour lists are new: what is remembered of particles is to be forgotten
+  bool update();
   const ellipsoid::ChainPose& pose(int i) const { return poses_[static_cast<std::size_t>(i)]; }
+  /// How far any point of a particle has moved at most since the neighbour lists are there (length).
+  double travelled(int i) const { return travelled_[static_cast<std::size_t>(i)]; }
   /// For make_pose() without update(): to be called once per time step.
   void find_properties();
   /// Pose of one owned particle.
@@ -45,11 +48,14 @@ private:
   using Key = std::tuple<long long, int, int>; // aspect ratio in units of 1e-12, N, spacing
   std::map<Key, std::unique_ptr<ellipsoid::SphereChain>> chains_;
   std::vector<ellipsoid::ChainPose> poses_;
+  std::vector<ellipsoid::Vector3> centres_; // at the last update
+  std::vector<double> travelled_;
   LAMMPS_NS::FixPropertyAtom* subspheres_ = nullptr;
   LAMMPS_NS::FixPropertyAtom* spacing_ = nullptr;
 
   const ellipsoid::SphereChain* chain(int i);
-  void find_chains(std::size_t count);
+  void begin_lists(std::size_t count);
+  void move();
   void place(int i, ellipsoid::ChainPose& pose) const;
 };
 

@@ -120,6 +120,10 @@ void PairGranEllipsoid::init_style() {
   if (!atom->superquadric_flag)
     error->all(FLERR, "pair_style gran/ellipsoid needs particles with shape: use atom_style "
                       "granular/ellipsoid");
+  constexpr int neighbor_style_multi = 2; // MULTI of the host's neighbor.cpp
+  if (neighbor->style == neighbor_style_multi)
+    error->all(FLERR, "pair_style gran/ellipsoid: with 'neighbor ... multi' the host makes no lists for "
+                      "granular pair styles; use 'bin' or 'nsq'");
   check_pages();
   PairGran::init_style();
   if (store_multicontact_data_)

@@ -9,6 +9,7 @@
 
 #include "contact_batch.h"
 #include "ellipsoid_contact_loop.h"
+#include "surface_paths.h"
 
 namespace LIGGGHTS {
 
@@ -30,7 +31,14 @@ private:
 
   const std::vector<ellipsoid::EllipsoidShape>* shapes_ = nullptr;
 
-  void prepare() { shapes_ = &pair_->update_shapes(); }
+  SurfacePaths paths_;
+
+  bool prepare() {
+    shapes_ = &pair_->update_shapes();
+    return paths_.update(*this->atom, this->neighbor->ago == 0);
+  }
+  void begin_lists(std::size_t) {}
+  double travelled(int i) const { return paths_[i]; }
 
   const ellipsoid::EllipsoidShape& shape(int i) const {
     return (*shapes_)[static_cast<std::size_t>(i)];
@@ -39,7 +47,7 @@ private:
   /// A touching pair starts from its last normal, together with others. All others start from
   /// scratch once a remembered separating normal fails: what a new contact is does not depend on
   /// what happened before it, nor on whether the run was interrupted.
-  double treat_pair(int i, int j, int& flag, double* history) {
+  double treat_pair(int i, int j, std::size_t, double, int& flag, double* history) {
     const ellipsoid::Vector3 distance = this->centre_distance(i, j);
     const double bounding_gap = this->bounding_gap(i, j, distance);
     if (bounding_gap > 0.0) {

@@ -14,7 +14,10 @@ SURFACE_MODEL(SURFACE_SMOOTH,smooth,40)
 #include "ellipsoid_contact.h"
 #include "ellipsoid_host.h"
 #include "ellipsoid_surface.h"
+#include "strict_settings.h"
 #include "surface_model_base.h"
+
+#include <cmath>
 
 namespace LIGGGHTS {
 namespace ContactModels {
@@ -26,36 +29,50 @@ public:
 
   inline void registerSettings(Settings& settings) {
     settings.registerOnOff("ellipticalContact", elliptical_, false);
+    settings.registerSetting<ContactsSetting>("contacts", contacts_, ContactsSetting::standard);
+  }
+
+  /// The only way that the host's classes offer: a named integer. Walls of triangles ask for it.
+  inline void postSettings(IContactHistorySetup*, ContactModelBase* cmb) {
+    cmb->add_history_offset("contacts", contacts_);
   }
 
   inline void surfacesIntersect(SurfacesIntersectData& sidata, ForceData& i_forces,
                                 ForceData& j_forces) {
-    if (elliptical_)
-      take_ellipse(sidata);
+    if (elliptical_) {
+      const Ellipse ellipse = find_ellipse(sidata.i, sidata.is_wall ? no_partner : sidata.j,
+                                           -ellipsoid_host::vector(sidata.en));
+      sidata.reff *= ellipse.radius_factor;
+      caller().curvature_radius_i *= ellipse.radius_factor;
+      caller().curvature_radius_j *= ellipse.radius_factor;
+      caller().area_factor = ellipse.area_factor;
+    }
     EllipsoidSurface::surfacesIntersect(sidata, i_forces, j_forces);
   }
 
 private:
+  static constexpr int no_partner = -1;
   bool elliptical_ = false;
+  int contacts_ = ContactsSetting::standard;
+
+  struct Ellipse {
+    double radius_factor; ///< R of the elliptic contact over that of (19)
+    double area_factor;   ///< area over pi R h
+  };
 
   ellipsoid::EllipsoidShape shape(int i) const {
     return ellipsoid::make_shape(ellipsoid_host::vector(atom->shape[i]),
                                  ellipsoid_host::quaternion(atom->quaternion[i]));
   }
 
-  /// Replaces the radius of (19) by that of the elliptic contact. Walls count as flat here: where
-  /// they are not, their reduced radius is corrected in the same ratio.
-  void take_ellipse(SurfacesIntersectData& sidata) {
-    const ellipsoid::Vector3 normal = -ellipsoid_host::vector(sidata.en);
+  /// Walls count as flat: where they are not, their reduced radius is corrected in the same ratio.
+  __attribute__((noinline)) Ellipse find_ellipse(int i, int j, ellipsoid::Vector3 normal) const {
     const ellipsoid::RelativeCurvature curvature =
-        sidata.is_wall ? relative_curvature(shape(sidata.i), normal)
-                       : relative_curvature(shape(sidata.i), shape(sidata.j), normal);
+        j == no_partner ? relative_curvature(shape(i), normal)
+                        : relative_curvature(shape(i), shape(j), normal);
     const ellipsoid::EllipticContact contact = elliptic_hertz(curvature);
-    const double factor = contact.effective_radius / circle_radius(curvature);
-    sidata.reff *= factor;
-    caller().curvature_radius_i *= factor;
-    caller().curvature_radius_j *= factor;
-    caller().area_factor = contact.area_per_overlap / (M_PI * contact.effective_radius);
+    return {contact.effective_radius / circle_radius(curvature),
+            contact.area_per_overlap / (M_PI * contact.effective_radius)};
   }
 };
 

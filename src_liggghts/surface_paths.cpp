@@ -17,8 +17,9 @@ double largest_angle(double quaternion_distance) {
 
 } // namespace
 
-void SurfacePaths::update(const LAMMPS_NS::Atom& atom, bool restart) {
+bool SurfacePaths::update(const LAMMPS_NS::Atom& atom, bool new_lists) {
   const std::size_t count = static_cast<std::size_t>(atom.nlocal + atom.nghost);
+  const bool restart = new_lists || count != paths_.size();
   if (restart) {
     poses_.resize(count);
     paths_.assign(count, 0.0);
@@ -40,4 +41,5 @@ void SurfacePaths::update(const LAMMPS_NS::Atom& atom, bool restart) {
     if (!restart)
       paths_[i] += std::sqrt(way) + atom.radius[i] * largest_angle(std::sqrt(turn));
   }
+  return restart;
 }

@@ -17,8 +17,9 @@ namespace LIGGGHTS {
 class SurfacePaths {
 public:
   /// Adds the motion since the last call; owned and ghost particles.
-  /// @param[in] restart all paths are 0 again (the indices of the particles may have changed)
-  void update(const LAMMPS_NS::Atom& atom, bool restart);
+  /// @param[in] new_lists the indices of the particles may have changed: all paths are 0 again
+  /// @return whether the paths are 0 again (also when the number of particles has changed)
+  bool update(const LAMMPS_NS::Atom& atom, bool new_lists);
   /// Path (length).
   double operator[](int i) const { return paths_[static_cast<std::size_t>(i)]; }
 

@@ -38,6 +38,17 @@ PileView whole_pile(const ParticleSet& set, const Pile& pile, const PileOptions&
   for (const Particle& p : set.particles)
     if (p.centre.x + room > view.right && p.centre.x + room < farthest)
       view.right = p.centre.x + room;
+  // and whole or not at all
+  for (bool is_cut = true; is_cut;) {
+    is_cut = false;
+    for (const Particle& p : set.particles) {
+      const double begin = p.centre.x - p.largest_axis();
+      if (begin > pile.right && begin < view.right && p.centre.x + p.largest_axis() > view.right) {
+        view.right = begin;
+        is_cut = true;
+      }
+    }
+  }
   return view;
 }
 
@@ -109,8 +120,11 @@ void draw_fit(Canvas& canvas, const Projection& to, const PileOptions& options,
   const double slope = angle.line.slope;
   const Point foot((options.floor - angle.line.intercept) / slope, options.floor);
   const double wall = options.wall.value_or(std::min(angle.a.x(), angle.b.x()));
+  canvas.begin_clip(to.at({to.view.left, to.view.top}), to.scale * (to.view.right - to.view.left),
+                    to.scale * (to.view.top - to.view.bottom));
   canvas.line(to.at(foot), to.at({wall, angle.line.intercept + slope * wall}), dashed);
   canvas.line(to.at(angle.a), to.at(angle.b), thick);
+  canvas.end_clip();
   TextStyle text;
   text.size = 26.0 * to.unit;
   text.colour = red;
@@ -193,8 +207,7 @@ void draw_force_chains(Canvas& canvas, const Projection& to, const Pile& pile,
   Style line;
   line.line = red;
   for (const ForceLink& link : links) {
-    line.line_width =
-        std::max(narrowest, widest_link(to, pile) * link.force / links.back().force);
+    line.line_width = std::max(narrowest, widest_link(to, pile) * link.force / links.back().force);
     canvas.line(to.at({link.begin.x, link.begin.y}), to.at({link.end.x, link.end.y}), line);
   }
 }

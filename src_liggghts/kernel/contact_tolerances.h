@@ -53,11 +53,11 @@ constexpr int bracket_limit = 60;
 /// a starting point, but its sign decides about touching (see first_normal).
 constexpr double bracket_width = 1.0e-6;
 
-/// The axis ratio of a contact ellipse is found so that ln(B/A) is met to this; the effective radius
-/// depends on it but weakly.
-constexpr double elliptic_error = 1.0e-14;
+/// The axis ratio of a contact ellipse is found so that ln(B/A) is met to this: far below
+/// `extrapolated_step`, to which A and B themselves are known.
+constexpr double elliptic_error = 1.0e-12;
 
-/// Steps of the secant search for it: 4 to 6 are needed for curvatures up to 1 : 1e8.
+/// Steps of the secant search for it: 2 to 4 are needed for curvatures up to 1 : 1e8.
 constexpr int elliptic_limit = 30;
 
 /// The arithmetic-geometric mean is found when its two means differ by less than this (relative):

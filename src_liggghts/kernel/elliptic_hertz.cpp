@@ -9,30 +9,40 @@ namespace ellipsoid {
 
 namespace {
 
-/// ln(B/A) of a contact ellipse with axis ratio k: Johnson 1985, eq. 4.28,
-/// B/A = (E/k^2 - K) / (K - E) = (K - D) / (k^2 D).
-double log_curvature_ratio(double k, const EllipticIntegrals& integrals) {
-  const double K = integrals.first, D = integrals.second;
-  return std::log((K - D) / (k * k * D));
-}
+/// A contact ellipse with axis ratio k.
+struct EllipseTrial {
+  double log_k;
+  double k;
+  EllipticIntegrals integrals;
+  double log_ratio; ///< ln(B/A)
 
-/// The axis ratio k that belongs to B/A: a secant search for ln k, on which ln(B/A) depends almost
-/// linearly, from the approximation k = (A/B)^(2/3) (Johnson 1985, eq. 4.30).
-double contact_axis_ratio(double log_ratio) {
-  constexpr double first_slope = -1.5;
-  double x = log_ratio / first_slope, slope = first_slope;
-  double error = log_curvature_ratio(std::exp(x), elliptic_integrals(std::exp(x))) - log_ratio;
-  for (int k = 0; k < tolerance::elliptic_limit && std::fabs(error) > tolerance::elliptic_error;
-       ++k) {
-    const double step = -error / slope;
-    const double x_new = std::fmin(0.0, x + step), k_new = std::exp(x_new);
-    const double error_new = log_curvature_ratio(k_new, elliptic_integrals(k_new)) - log_ratio;
-    if (x_new != x && error_new != error)
-      slope = (error_new - error) / (x_new - x);
-    x = x_new;
-    error = error_new;
+  explicit EllipseTrial(double log_k_)
+      : log_k(log_k_), k(std::exp(log_k_)), integrals(elliptic_integrals(k)) {
+    // Johnson 1985, eq. 4.28: B/A = (E/k^2 - K) / (K - E) = (K - D) / (k^2 D)
+    log_ratio =
+        std::log((integrals.first - integrals.second) / (k * k * integrals.second));
   }
-  return std::exp(x);
+};
+
+/// The ellipse that belongs to ln(B/A), by a secant search for ln k.
+EllipseTrial find_ellipse(double log_ratio) {
+  // Start: k = (A/B)^(2/3) (Johnson 1985, eq. 4.30) with a fitted correction of the exponent, good to
+  // 0.1 % up to B/A = 10^4.
+  const double square = log_ratio * log_ratio, denominator = 1.0 + 0.031 * square;
+  const double correction = 1.0 + 0.0047 * square / denominator;
+  const double growth = 0.0094 * square / (denominator * denominator); // log_ratio d(correction)
+  EllipseTrial trial(-2.0 / 3.0 * log_ratio / correction);
+  double slope = -1.5 * correction * correction / (correction - growth);
+  for (int k = 0; k < tolerance::elliptic_limit; ++k) {
+    const double error = trial.log_ratio - log_ratio;
+    if (std::fabs(error) <= tolerance::elliptic_error)
+      break;
+    const EllipseTrial next(std::fmin(0.0, trial.log_k - error / slope));
+    if (next.log_k != trial.log_k && next.log_ratio != trial.log_ratio)
+      slope = (next.log_ratio - trial.log_ratio) / (next.log_k - trial.log_k);
+    trial = next;
+  }
+  return trial;
 }
 
 } // namespace
@@ -60,9 +70,8 @@ EllipticIntegrals elliptic_integrals(double k) {
 }
 
 EllipticContact elliptic_hertz(const RelativeCurvature& curvature) {
-  const double k = contact_axis_ratio(std::log(curvature.larger / curvature.smaller));
-  const EllipticIntegrals integrals = elliptic_integrals(k);
-  const double K = integrals.first, D = integrals.second;
+  const EllipseTrial ellipse = find_ellipse(std::log(curvature.larger / curvature.smaller));
+  const double k = ellipse.k, K = ellipse.integrals.first, D = ellipse.integrals.second;
   EllipticContact contact;
   contact.axis_ratio = k;
   // Johnson 1985, eqs. 4.26: with p0 = E* h / (b K), the larger semi-axis has a^2 = h D / (A K),

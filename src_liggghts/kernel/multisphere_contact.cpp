@@ -81,11 +81,11 @@ void clip_line_distance(OuterLine& line, double bound) {
 } // namespace
 
 OuterLine outer_line(const ChainPose& outer, const ChainPose& inner,
-                     const Vector3& outer_position) {
+                     const Vector3& outer_position, double gap) {
   const double outer_half = outer.scale * outer.chain->half_length();
   const double inner_half = inner.scale * inner.chain->half_length();
-  const double radii =
-      outer.scale * outer.chain->largest_radius() + inner.scale * inner.chain->largest_radius();
+  const double radii = outer.scale * outer.chain->largest_radius() +
+                       inner.scale * inner.chain->largest_radius() + gap;
   const double along_outer = dot(outer_position, outer.axis);
   OuterLine line;
   line.offset = dot(outer_position, inner.axis);

@@ -87,15 +87,20 @@ struct ContactCount {
   int tested = 0; ///< distances between spheres computed: potential contacts (figure 18)
 };
 
+/// From the centre of sphere k of i to that of sphere l of j (length).
+inline Vector3 sphere_distance(const ChainPose& i, const ChainPose& j,
+                               const Vector3& centre_distance, int k, int l) {
+  // This order of operations changes only its sign when i and j are swapped.
+  return centre_distance +
+         ((j.scale * j.chain->centre(l)) * j.axis - (i.scale * i.chain->centre(k)) * i.axis);
+}
+
 /// Tests one pair of spheres.
 /// @param[in] centre_distance x_j - x_i (length)
 /// @return whether they touch; `contact` is complete then, untouched otherwise
 inline bool touch(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance, int k,
                   int l, SphereContact& contact) {
-  const Vector3 centre_k = (i.scale * i.chain->centre(k)) * i.axis;
-  const Vector3 centre_l = (j.scale * j.chain->centre(l)) * j.axis;
-  // This order of operations changes only its sign when i and j are swapped.
-  const Vector3 distance = centre_distance + (centre_l - centre_k);
+  const Vector3 distance = sphere_distance(i, j, centre_distance, k, l);
   const double radius_k = i.scale * i.chain->radius(k), radius_l = j.scale * j.chain->radius(l);
   const double sum = radius_k + radius_l, squared = dot(distance, distance);
   if (!(squared < sum * sum))
@@ -109,7 +114,8 @@ inline bool touch(const ChainPose& i, const ChainPose& j, const Vector3& centre_
                    : normalized(cross(i.axis, std::fabs(i.axis.x) < 0.5 ? Vector3{1.0, 0.0, 0.0}
                                                                         : Vector3{0.0, 1.0, 0.0}));
   contact.overlap = sum - length;
-  contact.point = centre_k + (radius_k - 0.5 * contact.overlap) * contact.normal;
+  contact.point =
+      (i.scale * i.chain->centre(k)) * i.axis + (radius_k - 0.5 * contact.overlap) * contact.normal;
   contact.reduced_radius = radius_k * radius_l / sum;
   contact.radius_i = radius_k;
   contact.radius_j = radius_l;
@@ -139,7 +145,9 @@ struct OuterLine {
 };
 
 /// @param[in] outer_position outer centre - inner centre (length)
-OuterLine outer_line(const ChainPose& outer, const ChainPose& inner, const Vector3& outer_position);
+/// @param[in] gap spheres count that are closer than this (length)
+OuterLine outer_line(const ChainPose& outer, const ChainPose& inner, const Vector3& outer_position,
+                     double gap);
 
 /// Inner sphere near axial coordinate t: where the first walk starts.
 inline int inner_start(const ChainPose& inner, double t) {
@@ -186,16 +194,18 @@ class InnerView {
   int& tested_;
 };
 
-/// Calls visit(outer sphere, inner sphere) for every pair that may touch.
+/// Calls visit(outer sphere, inner sphere, overlap) for every pair that may be closer than `gap`; the
+/// overlap is negative between spheres apart, and good to search_rounding.
 /// @param[out] tested is increased by the number of distances computed
 template <class Visit>
 void for_each_candidate(const ChainPose& outer, const ChainPose& inner,
-                        const Vector3& outer_position, int& tested, const Visit& visit) {
-  const OuterLine line = outer_line(outer, inner, outer_position);
+                        const Vector3& outer_position, double gap, int& tested,
+                        const Visit& visit) {
+  const OuterLine line = outer_line(outer, inner, outer_position, gap);
   if (line.centres.low > line.centres.high)
     return;
   const SphereChain& chain = *outer.chain;
-  const double margin = search_rounding * line.extent;
+  const double margin = search_rounding * line.extent, least = -gap - margin;
   const double length_per_gap = 1.0 / (1.0 + chain.steepest_radius());
   int k = chain.first_at_or_after(line.centres.low / outer.scale);
   int nearest = -1;
@@ -210,21 +220,48 @@ void for_each_candidate(const ChainPose& outer, const ChainPose& inner,
     const InnerView view(inner, outer.scale * chain.radius(k), t, std::fmax(0.0, p2), tested);
     const double overlap = view.climb(nearest);
     ++k;
-    if (overlap > -margin) {
-      visit(k - 1, nearest);
-      for (int l = nearest - 1; l >= 0 && view.overlap(l) > -margin; --l)
-        visit(k - 1, l);
-      for (int l = nearest + 1; l < inner.chain->count() && view.overlap(l) > -margin; ++l)
-        visit(k - 1, l);
+    if (overlap > least) {
+      visit(k - 1, nearest, overlap);
+      double next;
+      for (int l = nearest - 1; l >= 0 && (next = view.overlap(l)) > least; --l)
+        visit(k - 1, l, next);
+      for (int l = nearest + 1; l < inner.chain->count() && (next = view.overlap(l)) > least; ++l)
+        visit(k - 1, l, next);
       continue;
     }
-    const double skipped = x - length_per_gap * overlap - margin;
+    const double skipped = x - length_per_gap * (overlap + gap) - margin;
     while (k < chain.count() && outer.scale * chain.centre(k) < skipped)
       ++k;
   }
 }
 
 } // namespace multisphere_search
+
+/// Calls visit(sphere of i, sphere of j, overlap) for every pair of spheres closer than `gap`, and
+/// maybe for some more; the overlap is negative between spheres apart, and good to search_rounding.
+/// @param[in] centre_distance x_j - x_i (length)
+/// @param[in] gap >= 0 (length)
+/// @return how many distances between spheres were computed
+template <class Visit>
+int for_each_near_pair(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance,
+                       double gap, const Visit& visit) {
+  int tested = 0;
+  if (i.chain->count() * j.chain->count() <= direct_search_limit) {
+    for (int k = 0; k < i.chain->count(); ++k)
+      for (int l = 0; l < j.chain->count(); ++l) {
+        const Vector3 distance = sphere_distance(i, j, centre_distance, k, l);
+        visit(k, l, i.scale * i.chain->radius(k) + j.scale * j.chain->radius(l) - norm(distance));
+      }
+    return i.chain->count() * j.chain->count();
+  }
+  if (i.chain->count() <= j.chain->count())
+    multisphere_search::for_each_candidate(i, j, -centre_distance, gap, tested, visit);
+  else
+    multisphere_search::for_each_candidate(
+        j, i, centre_distance, gap, tested,
+        [&](int l, int k, double overlap) { visit(k, l, overlap); });
+  return tested;
+}
 
 /// Calls on_contact(const SphereContact&) for every touching pair of spheres. No allocation.
 /// @param[in] centre_distance x_j - x_i (length)
@@ -233,24 +270,12 @@ ContactCount for_each_contact(const ChainPose& i, const ChainPose& j,
                               const Vector3& centre_distance, OnContact&& on_contact) {
   ContactCount count;
   SphereContact contact;
-  const auto test = [&](int k, int l) {
+  count.tested = for_each_near_pair(i, j, centre_distance, 0.0, [&](int k, int l, double) {
     if (!touch(i, j, centre_distance, k, l, contact))
       return;
     ++count.contacts;
     on_contact(static_cast<const SphereContact&>(contact));
-  };
-  if (i.chain->count() * j.chain->count() <= direct_search_limit) {
-    for (int k = 0; k < i.chain->count(); ++k)
-      for (int l = 0; l < j.chain->count(); ++l)
-        test(k, l);
-    count.tested = i.chain->count() * j.chain->count();
-    return count;
-  }
-  if (i.chain->count() <= j.chain->count())
-    multisphere_search::for_each_candidate(i, j, -centre_distance, count.tested, test);
-  else
-    multisphere_search::for_each_candidate(j, i, centre_distance, count.tested,
-                                           [&](int l, int k) { test(k, l); });
+  });
   return count;
 }
 

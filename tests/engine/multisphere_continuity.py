@@ -29,7 +29,7 @@ def heap(start="", ranks=1, skin=0.0006, settings="contacts 10"):
         ("back", "yplane", 0.012), ("floor", "zplane", 0.0)))
     text = setup.header() + f"processors {grid}\n" + (start or setup.create_box()) + setup.properties()
     text += "fix gravity all gravity 60 vector 0.1 0 -1\n" + walls
-    for k, (scale, count) in enumerate(((1.0, 5), (0.8, 17))):
+    for k, (scale, count) in enumerate(((1.0, 5), (0.8, 25))):
         a, b = 2.7e-3 * scale, 1.15e-3 * scale
         text += f"""
 fix grain{k} all particletemplate/ellipsoid {15485863 + 4 * k} semiaxes {a} {b} {b} density 1340 &

@@ -1,0 +1,50 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "multisphere_watch.h"
+
+#include <algorithm>
+
+namespace ellipsoid {
+
+void ContactWatch::restart(std::size_t pairs) {
+  watched_.assign(pairs, Watched());
+  spheres_.assign(1, SpherePair{0, 0, -1}); // the first place of pairs that have none
+}
+
+int ContactWatch::search(std::size_t pair, double travelled, const ChainPose& i,
+                         const ChainPose& j, const Vector3& centre_distance, double gap) {
+  Watched& watched = watched_[pair];
+  watched.count = 0;
+  const double bound = smallest_gap(i, j, centre_distance);
+  if (bound > gap) {
+    watched.until = travelled + usable_share * bound;
+    return 0;
+  }
+  found_.clear();
+  double largest_overlap = -search_reach * gap;
+  const int tested = for_each_near_pair(
+      i, j, centre_distance, search_reach * gap, [&](int k, int l, double overlap) {
+        largest_overlap = std::fmax(largest_overlap, overlap);
+        if (overlap > -gap)
+          found_.push_back({static_cast<short>(k), static_cast<short>(l), -1});
+      });
+  watched.until = travelled + usable_share * (found_.empty() ? -largest_overlap : gap);
+  keep_found(pair);
+  return tested;
+}
+
+/// A pair whose room is too small gets a new one of double size at the end.
+void ContactWatch::keep_found(std::size_t pair) {
+  Watched& watched = watched_[pair];
+  std::sort(found_.begin(), found_.end(), [](const SpherePair& a, const SpherePair& b) {
+    return a.sphere_i != b.sphere_i ? a.sphere_i < b.sphere_i : a.sphere_j < b.sphere_j;
+  });
+  watched.count = static_cast<int>(found_.size());
+  if (watched.count > watched.room) {
+    watched.first = static_cast<unsigned>(spheres_.size());
+    watched.room = 2 * watched.count;
+    spheres_.resize(spheres_.size() + static_cast<std::size_t>(watched.room));
+  }
+  std::copy(found_.begin(), found_.end(), begin(pair));
+}
+
+} // namespace ellipsoid

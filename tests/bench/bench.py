@@ -1,0 +1,378 @@
+"""Side by side: what a particle and a time step cost, for all shapes, as a ratio to spheres.
+
+Run by run.sh, which says how. Every group of shapes is run in turn, spheres before and after each few
+of them; a ratio is that of a run to the two runs of spheres around it, so that whatever else the
+machine does disturbs both. Times on one rank are processor times of the engine, on more ranks
+elapsed times of its run.
+"""
+
+import argparse
+import csv
+import os
+import re
+import statistics
+import subprocess
+import sys
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+import where
+from machine import description
+from scripts import (SIDE, SMOOTH, SPHERE, SUPERQUADRIC, damped, moving_bodies, multisphere, rigid,
+                     rigid_bodies, settle, timed)
+from start import A, B, VOLUME_RADIUS, bodies, compaction, data_file, lattice, tile
+
+HERE = Path(__file__).parent
+SOURCE = HERE.parent.parent
+COUNT = 1000  # particles of one tile
+SETTLING_STEPS = 45000
+FLOWING_STEPS = 15000
+RIGID_SETTLING_STEPS = 30000
+#: particles times steps of one measurement in space
+WORK = {"sphere": 5e6, "smooth": 5e6, "multisphere": 5e6, "superquadric": 1e6, "rigid": 4e5}
+SPHERES_EVERY = 3  # shapes between two runs of spheres
+
+COMPACTION_SHAPES = ([SMOOTH] + [multisphere(n) for n in (1, 3, 5, 7, 9, 13, 17, 33, 55)]
+                     + [SUPERQUADRIC])
+BED_SHAPES = [SMOOTH, multisphere(3), multisphere(5), multisphere(17), multisphere(55), SUPERQUADRIC]
+FEW_SHAPES = [SMOOTH, multisphere(5), multisphere(17)]
+
+
+@dataclass
+class Group:
+    """Shapes that are compared with each other and with spheres."""
+
+    name: str
+    case: str  # compaction, bed, flow or cloud
+    shapes: list
+    tiles: tuple = (1, 1)
+    ranks: int = 1
+    most_repeats: int = 99
+
+    @property
+    def particles(self):
+        return COUNT * self.tiles[0] * self.tiles[1]
+
+
+@dataclass
+class Sample:
+    """One run: ns per particle and step, and the largest memory of the process (bytes)."""
+
+    cost: float
+    memory: float
+    figures: dict = field(default_factory=dict)
+
+
+def groups():
+    """All groups by name, in the order in which they are run."""
+    all_groups = [
+        Group("compaction", "compaction", COMPACTION_SHAPES),
+        Group("bed 1000", "bed", BED_SHAPES + [rigid(17)]),
+        Group("bed 30000", "bed", [SMOOTH, multisphere(5), multisphere(17), SUPERQUADRIC], (5, 6), 1, 3),
+        Group("bed 30000, 2 ranks", "bed", FEW_SHAPES, (5, 6), 2, 3),
+        Group("compaction, 2 ranks", "compaction", FEW_SHAPES, ranks=2, most_repeats=2),
+        Group("flow", "flow", FEW_SHAPES),
+        Group("cloud", "cloud", FEW_SHAPES),
+        Group("size 10000", "bed", FEW_SHAPES[:2], (5, 2), 1, 2),
+        Group("size 100000", "bed", FEW_SHAPES[:2], (10, 10), 1, 2),
+        Group("size 1000000", "bed", [SMOOTH], (40, 25), 1, 1),
+    ]
+    return {group.name: group for group in all_groups}
+
+
+class Bench:
+    """Makes the initial states once and runs the engine."""
+
+    def __init__(self, engine, folder, compaction_time):
+        self.engine, self.folder, self.compaction_time = engine, folder, compaction_time
+        self.start_folder = folder / "start"
+        self.start_folder.mkdir(parents=True, exist_ok=True)
+        self.run_folder = folder / "run"
+        self.run_folder.mkdir(exist_ok=True)
+
+    # --- initial states --------------------------------------------------------------------
+    def state(self, name, make):
+        """The file `name` of the initial states, made by make(file) if it is not there."""
+        file = self.start_folder / name
+        if not file.exists():
+            print(f"  (making {name})", flush=True)
+            make(file)
+        return file
+
+    def compaction_start(self, shape):
+        kind = "sphere" if shape.kind == "sphere" else "smooth"
+        return self.state(f"compaction.{kind}.data", lambda file: file.write_text(compaction(kind)))
+
+    def cloud(self, shape):
+        per_side = round(COUNT ** (1.0 / 3.0))
+
+        def make(file):
+            particles, height = lattice(shape.start, per_side, COUNT, 3.2 * A)
+            box = (0.0, per_side * 3.2 * A, 0.0, per_side * 3.2 * A, 0.0, height)
+            file.write_text(data_file(shape.start, particles, box, 2))
+        return self.state(f"cloud.{shape.start}.data", make)
+
+    def bed(self, shape):
+        if shape.kind == "rigid":
+            return self.state(f"bed.{shape.start}.restart", lambda file: self.settle_rigid(shape, file))
+        return self.state(f"bed.{shape.start}.data", lambda file: self.settle_bed(shape, file))
+
+    def settle_bed(self, shape, file):
+        diameter = 2.0 * (VOLUME_RADIUS if shape.kind == "sphere" else A)
+        per_side = int(SIDE / (1.02 * diameter))
+        particles, height = lattice(shape.start, per_side, COUNT, SIDE / per_side)
+        box = (0.0, SIDE, 0.0, SIDE, -A, height + 4.0 * A)
+        loose = file.with_suffix(".loose")
+        loose.write_text(data_file(shape.start, particles, box, 2))
+        self.finish(start_shape(shape), settle(start_shape(shape), "bed", loose, SETTLING_STEPS), file)
+
+    def flow(self, shape):
+        """The settled bed, its lowest particles held, after it has flown down an incline."""
+        def make(file):
+            base = file.with_suffix(".base")
+            at_rest(self.bed(shape), base, hold_below=2.0 * A)
+            self.finish(start_shape(shape), settle(start_shape(shape), "flow", base, FLOWING_STEPS), file)
+        return self.state(f"flow.{shape.start}.data", make)
+
+    def finish(self, shape, script, file):
+        """Runs `script` and writes its last frame as a data file."""
+        self.run(script)
+        lines = (self.run_folder / "settled.dump").read_text().splitlines()
+        values = np.array([line.split() for line in lines[-COUNT:]], float)
+        quaternions = values[:, 11:15] if shape.kind != "sphere" else np.tile([1.0, 0, 0, 0], (COUNT, 1))
+        particles = bodies(shape.start, values[:, 2:5], quaternions, values[:, 5:8], values[:, 8:11],
+                           values[:, 1])
+        box = (0.0, SIDE, 0.0, SIDE, -A, values[:, 4].max() + 4.0 * A)
+        file.write_text(data_file(shape.start, particles, box, 2))
+
+    def settle_rigid(self, shape, file):
+        chain = f"chain{shape.subspheres}"
+        subprocess.run([str(self.engine.parent / "ellipsoid-post"), "template", "--aspect", repr(A / B),
+                        "--b", repr(B), "--subspheres", str(shape.subspheres), "--multisphere", chain],
+                       cwd=self.run_folder, check=True, capture_output=True)
+        script = rigid_bodies(shape, COUNT, chain, 0.08)
+        self.run(script + damped() + f"timestep 1e-5\nthermo 1000000\nrun {RIGID_SETTLING_STEPS}\n"
+                 f"write_restart {file}\n")
+
+    # --- runs ------------------------------------------------------------------------------
+    def run(self, script, ranks=1):
+        (self.run_folder / "in.run").write_text(script)
+        return self.call(["-in", "in.run"], ranks)
+
+    def call(self, arguments, ranks=1):
+        """Runs the engine; returns its output and its use of resources."""
+        command = ["mpirun", "-np", str(ranks)] if ranks > 1 else []
+        with open(self.run_folder / "output", "w+") as output:
+            process = subprocess.Popen(command + [str(self.engine)] + arguments, stdout=output,
+                                       stderr=subprocess.STDOUT, cwd=self.run_folder)
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+            output.seek(0)
+            text = output.read()
+        if process.returncode != 0:
+            raise SystemExit(f"The engine failed in {self.run_folder}:\n{text[-2000:]}")
+        return text, usage
+
+    def sample(self, group, shape):
+        if group.case == "compaction":
+            return self.sample_compaction(group, shape)
+        script, steps = self.script(group, shape)
+        (self.run_folder / "clock.txt").unlink(missing_ok=True)
+        text, usage = self.run(script, group.ranks)
+        if group.ranks == 1:
+            begin, end = map(float, (self.run_folder / "clock.txt").read_text().split())
+            spent = end - begin
+        else:
+            spent = 1e9 * loop_times(text)[-1]
+        return Sample(spent / (steps * group.particles), 1024.0 * usage.ru_maxrss)
+
+    def script(self, group, shape):
+        """Input script of a case in space, and the number of steps that it times."""
+        steps = max(20, round(WORK[shape.kind] / group.particles))
+        if group.particles > 200000:
+            steps = 20
+        warm = max(10, min(steps // 5, 200))
+        start = {"bed": self.bed, "flow": self.flow, "cloud": self.cloud}[group.case](shape)
+        if shape.kind == "rigid":
+            return self.rigid_script(shape, start) + timed(steps, warm), steps
+        if group.tiles != (1, 1):
+            start = self.state(f"tiles{group.particles}.{start.name}",
+                               lambda file: tile(start, file, group.tiles, SIDE))
+        return moving_bodies(shape, group.case, start) + timed(steps, warm), steps
+
+    def rigid_script(self, shape, start):
+        """The host's rigid bodies, read from their restart file."""
+        lines = rigid_bodies(shape, COUNT, "", 0.08).split("\n")
+        head = lines[:next(k for k, line in enumerate(lines) if line.startswith("fix grain"))]
+        head = [f"read_restart {start}" if line.startswith("region box") else line for line in head
+                if not line.startswith("create_box")]
+        return "\n".join(head) + "\nfix motion all multisphere\n"
+
+    def compaction_arguments(self, shape, duration):
+        arguments = ["-in", str(SOURCE / "inputs" / "compaction.in"), "-var", "shape", shape.kind,
+                     "-var", "start", str(self.compaction_start(shape)),
+                     "-var", "duration", repr(duration)]
+        if shape.kind == "multisphere":
+            contacts = 24 if shape.subspheres > 20 else 8
+            arguments += ["-var", "subspheres", str(shape.subspheres), "-var", "contacts", str(contacts)]
+        return arguments
+
+    def sample_compaction(self, group, shape):
+        text, usage = self.call(self.compaction_arguments(shape, self.compaction_time), group.ranks)
+        steps = round(self.compaction_time / 5e-6)
+        spent = usage.ru_utime + usage.ru_stime if group.ranks == 1 else loop_times(text)[-1]
+        sample = Sample(1e9 * spent / (steps * COUNT), 1024.0 * usage.ru_maxrss)
+        sample.figures = thermo_means(text)
+        return sample
+
+
+def start_shape(shape):
+    return SPHERE if shape.kind == "sphere" else SMOOTH
+
+
+def at_rest(source, target, hold_below):
+    """Copies a data file; particles below a height (m) get type 2."""
+    lines, section = [], ""
+    for line in source.read_text().split("\n"):
+        section = line if line in ("Atoms", "Velocities") else section
+        words = line.split()
+        if section == "Atoms" and len(words) > 5:
+            z = float(words[6] if len(words) == 7 else words[4])
+            line = " ".join([words[0], "2" if z < hold_below else "1"] + words[2:])
+        lines.append(line)
+    target.write_text("\n".join(lines))
+
+
+def loop_times(text):
+    return [float(t) for t in re.findall(r"Loop time of (\S+) on", text)]
+
+
+def thermo_means(text):
+    """Means over time of the compaction's thermo columns: touching pairs and tests per particle."""
+    tables = re.findall(r"Step\s+time\s+KinEng\s+touching\s+potentia\S*\s+CPU[^\n]*\n((?:[ \t]*[-\d].*\n)+)",
+                        text)
+    if not tables:
+        return {}
+    rows = np.array([[float(v) for v in line.split()] for line in tables[-1].strip().split("\n")])
+    return {"touching": rows[1:, 3].mean(), "potential": rows[1:, 4].mean()}
+
+
+# --- measuring and telling ---------------------------------------------------------------------
+def measure(bench, group, repeats):
+    """{shape name: ([ns per particle and step], [ratio to spheres], last Sample)}."""
+    results = {}
+
+    def note(shape, sample, ratio):
+        costs, ratios, _ = results.setdefault(shape.name, ([], [], None))
+        costs.append(sample.cost)
+        ratios.append(ratio)
+        results[shape.name] = (costs, ratios, sample)
+
+    for _ in range(min(repeats, group.most_repeats)):
+        before = bench.sample(group, SPHERE)
+        note(SPHERE, before, 1.0)
+        for first in range(0, len(group.shapes), SPHERES_EVERY):
+            some = group.shapes[first:first + SPHERES_EVERY]
+            samples = [bench.sample(group, shape) for shape in some]
+            after = bench.sample(group, SPHERE)
+            note(SPHERE, after, 1.0)
+            reference = 0.5 * (before.cost + after.cost)
+            for shape, sample in zip(some, samples):
+                note(shape, sample, sample.cost / reference)
+            before = after
+    return results
+
+
+COLUMNS = ("case", "shape", "ranks", "particles", "ns per particle and step", "spread %",
+           "ratio to spheres", "lowest", "highest", "potential contacts", "kB per particle")
+
+
+def rows_of(group, results):
+    """Table rows, in the order of COLUMNS; memory includes what an empty engine needs."""
+    for name, (costs, ratios, sample) in results.items():
+        median = statistics.median(costs)
+        spread = 50.0 * (max(costs) - min(costs)) / median
+        potential = sample.figures.get("potential")
+        yield (group.name, name, group.ranks, group.particles, f"{median:.0f}", f"{spread:.0f}",
+               f"{statistics.median(ratios):.2f}", f"{min(ratios):.2f}", f"{max(ratios):.2f}",
+               "" if potential is None else f"{potential:.1f}",
+               f"{sample.memory / group.particles / 1000.0:.2f}" if group.particles >= 100000 else "")
+
+
+def markdown(rows):
+    table = [COLUMNS, ["---"] * len(COLUMNS)] + list(rows)
+    return "\n".join("| " + " | ".join(map(str, row)) + " |" for row in table)
+
+
+def arguments_of(all_groups):
+    parser = argparse.ArgumentParser(
+        prog="bash tests/bench/run.sh", description="Costs of all shapes, side by side.",
+        epilog="Cases: " + "; ".join(all_groups))
+    parser.add_argument("--short", action="store_true",
+                        help="a minute or two: smooth, N = 3 and 17; compaction and bed of 1000")
+    parser.add_argument("--cases", help="some of the cases, as a regular expression")
+    parser.add_argument("--shapes", help="some of the shapes, as a regular expression")
+    parser.add_argument("--repeats", type=int, default=3)
+    parser.add_argument("--compaction-time", type=float, default=0.05,
+                        help="duration of the wall's way (s); the paper's is 0.5, ten times slower")
+    parser.add_argument("--where", action="store_true",
+                        help="where time goes, by sampling (perf), instead of the table")
+    parser.add_argument("--instructions", action="store_true",
+                        help="instructions per particle and step (valgrind), instead of the table")
+    parser.add_argument("--engine", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True)
+    return parser.parse_args()
+
+
+def choose(arguments, all_groups):
+    """The groups to run, with the shapes to run."""
+    cases, shapes = arguments.cases, arguments.shapes
+    if arguments.short:
+        cases, shapes = cases or "^compaction$|^bed 1000$", shapes or "^smooth$|^multisphere (3|17)$"
+    chosen = []
+    for group in all_groups.values():
+        if cases and not re.search(cases, group.name):
+            continue
+        group.shapes = [s for s in group.shapes if not shapes or re.search(shapes, s.name)]
+        chosen.append(group)
+    if not chosen:
+        raise SystemExit(f"No case matches '{cases}'; the cases are: {'; '.join(all_groups)}")
+    return chosen
+
+
+def main():
+    all_groups = groups()
+    arguments = arguments_of(all_groups)
+    chosen = choose(arguments, all_groups)
+    bench = Bench(arguments.engine.resolve(), arguments.out.resolve(), arguments.compaction_time)
+    print(description(arguments.engine), flush=True)
+    if arguments.where or arguments.instructions:
+        report = where.report(bench, chosen, arguments.instructions)
+        print(report)
+        (arguments.out / "where.md").write_text(report + "\n")
+        return
+    rows, begin = [], time.time()
+    repeats = 1 if arguments.short else arguments.repeats
+    for group in chosen:
+        print(f"\n{group.name}", flush=True)
+        new = list(rows_of(group, measure(bench, group, repeats)))
+        for row in new:
+            print(f"  {row[1]:16s} {row[4]:>8s} ns  {row[6]:>6s} ({row[7]} to {row[8]})  {row[9]}", flush=True)
+        rows += new
+        write(arguments, rows, time.time() - begin)
+    print(f"\nTable in {arguments.out}/table.md and table.csv")
+
+
+def write(arguments, rows, seconds):
+    text = (description(arguments.engine) + f"\nRepeats: {arguments.repeats}; compaction in "
+            f"{arguments.compaction_time} s; measured in {seconds / 60.0:.0f} min\n\n" + markdown(rows))
+    (arguments.out / "table.md").write_text(text + "\n")
+    with open(arguments.out / "table.csv", "w", newline="") as file:
+        csv.writer(file).writerows([COLUMNS] + rows)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,167 @@
+"""Input scripts of the benchmarks in space, for every kind of particle. SI units."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from start import A, B, MASS, MOMENTS
+
+LAW = "model hertz/viscous tangential history/viscous"
+CLOCK = Path(__file__).parent / "clock.sh"
+SIDE = 0.029  # of the periodic base of the bed of 1000 (m)
+INCLINE = 0.42  # sine of the slope of the flow: 25 degrees
+
+
+@dataclass(frozen=True)
+class Shape:
+    """One kind of particle: how the engine is told of it."""
+
+    name: str
+    kind: str  # sphere, smooth, multisphere, superquadric or rigid
+    subspheres: int = 0
+
+    @property
+    def start(self):
+        """Which shape's settled bed it starts from."""
+        return {"sphere": "sphere", "rigid": f"rigid{self.subspheres}"}.get(self.kind, "smooth")
+
+    @property
+    def atom_style(self):
+        return "granular" if self.kind in ("sphere", "rigid") else "granular/ellipsoid"
+
+    @property
+    def pair(self):
+        contacts = " contacts 24" if self.subspheres > 20 else ""
+        return {"sphere": f"gran {LAW}", "rigid": f"gran {LAW}",
+                "superquadric": f"gran {LAW} surface superquadric",
+                "smooth": f"gran/ellipsoid {LAW} surface smooth",
+                "multisphere": f"gran/ellipsoid {LAW} surface multisphere{contacts}"}[self.kind]
+
+    @property
+    def wall(self):
+        style = "wall/gran/ellipsoid" if self.kind in ("smooth", "multisphere") else "wall/gran"
+        surface = {"sphere": "", "rigid": ""}.get(self.kind, f"surface {self.kind}")
+        return f"{style} {LAW} {surface}"
+
+    @property
+    def motion(self):
+        return {"sphere": "fix motion grains nve/sphere",
+                "rigid": "fix motion all multisphere",
+                "superquadric": "fix motion grains nve/superquadric integration_scheme 1"}.get(
+                    self.kind, "fix motion grains nve/ellipsoid")
+
+    @property
+    def subsphere_fix(self):
+        if self.kind != "multisphere":
+            return ""
+        return f"fix subspheres all property/atom subspheres scalar yes yes no {self.subspheres}\n"
+
+
+SPHERE = Shape("sphere", "sphere")
+SMOOTH = Shape("smooth", "smooth")
+SUPERQUADRIC = Shape("superquadric", "superquadric")
+
+
+def multisphere(count):
+    return Shape(f"multisphere {count}", "multisphere", count)
+
+
+def rigid(count):
+    return Shape(f"rigid {count}", "rigid", count)
+
+
+def header(shape, boundary):
+    return f"""atom_style {shape.atom_style}
+atom_modify map array
+boundary {boundary}
+newton off
+communicate single vel yes
+units si
+"""
+
+
+def forces(shape, damping=100.0, skin=0.001):
+    """Contact law, for two atom types of the same material."""
+    def table(value):
+        return "peratomtypepair 2 " + " ".join([str(value)] * 4)
+    return f"""neighbor {skin} bin
+neigh_modify delay 0 page 1000000
+fix m1 all property/global youngsModulus peratomtype 183e6 183e6
+fix m2 all property/global poissonsRatio peratomtype 0.2 0.2
+fix m3 all property/global coefficientFriction {table(0.3)}
+fix m4 all property/global viscousDampingNormal {table(damping)}
+fix m5 all property/global viscousDampingTangential {table(damping)}
+pair_style {shape.pair}
+pair_coeff * *
+"""
+
+
+def timed(steps, warm):
+    """Runs `warm` steps, then `steps` between two readings of the clock."""
+    return f"""timestep 5e-6
+thermo 1000000
+thermo_modify lost error norm no
+run {warm}
+shell sh {CLOCK} clock.txt
+run {steps} pre no
+shell sh {CLOCK} clock.txt
+"""
+
+
+def gravity(case):
+    down = {"flow": f"{INCLINE} 0.0 -{(1.0 - INCLINE ** 2) ** 0.5}"}.get(case, "0.0 0.0 -1.0")
+    return f"fix gravity all gravity 9.81 vector {down}\n"
+
+
+def moving_bodies(shape, case, start):
+    """Script of a bed, a flow or a cloud up to its run."""
+    script = header(shape, "p p p" if case == "cloud" else "p p f")
+    script += f"read_data {start}\n"
+    script += forces(shape) + shape.subsphere_fix + gravity(case)
+    script += "group grains type 1\n"
+    if case == "flow":
+        script += "group base type 2\nneigh_modify exclude group base base\n"
+    elif case != "cloud":
+        script += f"fix floor all {shape.wall} primitive type 1 zplane 0.0\n"
+    return script + shape.motion + "\n"
+
+
+def damped():
+    """Script lines that damp so strongly that particles come to rest soon."""
+    return "".join(f"fix {name} all property/global {what} peratomtypepair 2 2e3 2e3 2e3 2e3\n"
+                   for name, what in (("m4", "viscousDampingNormal"),
+                                      ("m5", "viscousDampingTangential")))
+
+
+def settle(shape, case, start, steps):
+    """Script that lets a bed come to rest on the floor, or a flow come into motion; its last frame
+    is settled.dump."""
+    script = moving_bodies(shape, case, start) + (damped() if case == "bed" else "")
+    columns = "id type x y z vx vy vz omegax omegay omegaz"
+    if shape.kind != "sphere":
+        columns += " quat1 quat2 quat3 quat4"
+    form = " ".join("%d" if c in ("id", "type") else "%.17g" for c in columns.split())
+    return script + f"""timestep 1e-5
+thermo {steps // 10}
+thermo_modify lost error norm no
+dump end all custom {steps} settled.dump {columns}
+dump_modify end sort id format "{form}"
+run {steps}
+"""
+
+
+def rigid_bodies(shape, count, chain_file, height, side=SIDE):
+    """The host's rigid bodies, put at random into a column of `height` (m) above the floor."""
+    i_x, i_y, i_z = MOMENTS
+    return header(shape, "p p f") + f"""region box block 0 {side} 0 {side} 0 {height + 0.01} units box
+create_box 2 box
+""" + forces(shape) + gravity("bed") + f"""fix floor all {shape.wall} primitive type 1 zplane 0.0
+fix grain all particletemplate/multisphere 10037 atom_type 1 density constant 1340 &
+    nspheres {shape.subspheres} ntry 1000 spheres file {chain_file} scale 1.0 type 1 &
+    mass {MASS} inertia_tensor {i_x} 0 0 {i_y} 0 {i_z} use_density
+fix mixture all particledistribution/discrete 10039 1 grain 1.0
+region column block 0 {side} 0 {side} 0 {height} units box
+fix motion all multisphere
+fix insert all insert/pack seed 15485863 distributiontemplate mixture maxattempt 500 &
+    insert_every once overlapcheck yes all_in no orientation random region column &
+    ntry_mc 10000 particles_in_region {count}
+"""

@@ -1,0 +1,180 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "multisphere_watch.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace ellipsoid {
+namespace {
+
+constexpr unsigned seed = 20100603;
+using Pairs = std::vector<std::pair<int, int>>;
+
+class Random {
+ public:
+  double uniform(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine_);
+  }
+  Vector3 vector(double deviation) {
+    std::normal_distribution<double> normal(0.0, deviation);
+    return {normal(engine_), normal(engine_), normal(engine_)};
+  }
+
+ private:
+  std::mt19937_64 engine_{seed};
+};
+
+SphereChain chain(int count) { return SphereChain(make_multisphere(2.35, 1.0, count)); }
+
+/// All pairs of spheres closer than `gap`, in ascending order: every one is looked at.
+Pairs closer_than(double gap, const ChainPose& i, const ChainPose& j,
+                  const Vector3& centre_distance) {
+  Pairs pairs;
+  for (int k = 0; k < i.chain->count(); ++k)
+    for (int l = 0; l < j.chain->count(); ++l) {
+      const Vector3 distance = centre_distance + (j.scale * j.chain->centre(l)) * j.axis -
+                               (i.scale * i.chain->centre(k)) * i.axis;
+      if (norm(distance) < i.scale * i.chain->radius(k) + j.scale * j.chain->radius(l) + gap)
+        pairs.emplace_back(k, l);
+    }
+  return pairs;
+}
+
+/// Two bodies that tumble about each other, now touching, now apart.
+struct Tumbling {
+  Random random;
+  ChainPose i, j;
+  Vector3 centre_distance{1.5, 0.0, 0.0}, velocity, spin_i, spin_j;
+
+  Tumbling(const SphereChain& chain_i, const SphereChain& chain_j) {
+    i.chain = &chain_i;
+    j.chain = &chain_j;
+    j.scale = 1.3;
+  }
+  /// @param[in] step length of one step
+  void move(double step) {
+    velocity += random.vector(0.3) - 0.1 * velocity - 0.05 * (norm(centre_distance) - 2.4) *
+                                                          normalized(centre_distance);
+    spin_i += random.vector(0.3) - 0.1 * spin_i;
+    spin_j += random.vector(0.3) - 0.1 * spin_j;
+    centre_distance += step * velocity;
+    i.axis = normalized(i.axis + step * cross(spin_i, i.axis));
+    j.axis = normalized(j.axis + step * cross(spin_j, j.axis));
+  }
+};
+
+/// Touching pairs among those that the watch has, ascending.
+Pairs watched(ContactWatch& watch, const Tumbling& bodies) {
+  Pairs pairs;
+  SphereContact contact;
+  for (const auto* s = watch.begin(1); s != watch.end(1); ++s)
+    if (touch(bodies.i, bodies.j, bodies.centre_distance, s->sphere_i, s->sphere_j, contact))
+      pairs.emplace_back(s->sphere_i, s->sphere_j);
+  return pairs;
+}
+
+class Watch : public ::testing::TestWithParam<std::pair<int, int>> {};
+
+TEST_P(Watch, FindsWhatIsCloserThanTheGap) {
+  const SphereChain one = chain(GetParam().first), other = chain(GetParam().second);
+  Random random;
+  std::size_t all = 0;
+  for (int pose = 0; pose < 20000; ++pose) {
+    const ChainPose i{&one, normalized(random.vector(1.0)), 1.0};
+    const ChainPose j{&other, normalized(random.vector(1.0)), random.uniform(0.5, 2.0)};
+    const Vector3 distance = random.uniform(1.0, 6.0) * normalized(random.vector(1.0));
+    const double gap = std::pow(10.0, random.uniform(-5.0, 0.0));
+    const Pairs truth = closer_than(gap, i, j, distance);
+    Pairs found;
+    for_each_near_pair(i, j, distance, gap, [&](int k, int l, double overlap) {
+      if (overlap > -gap)
+        found.emplace_back(k, l);
+    });
+    std::sort(found.begin(), found.end());
+    ASSERT_EQ(found, truth) << "pose " << pose << ", seed " << seed;
+    all += truth.size();
+  }
+  EXPECT_GT(all, 1000U);
+}
+
+TEST_P(Watch, KnowsEveryContactBetweenSearches) {
+  const SphereChain one = chain(GetParam().first), other = chain(GetParam().second);
+  Tumbling bodies(one, other);
+  ContactWatch watch;
+  watch.restart(3);
+  double travelled = 0.0;
+  int searches = 0, touching = 0, contacts_begun = 0, rests = 0;
+  Pairs before;
+  constexpr int steps = 100000;
+  for (int step = 0; step < steps; ++step) {
+    const Tumbling last = bodies;
+    bodies.move(0.002);
+    travelled += travel(last.i, bodies.i, {}) +
+                 travel(last.j, bodies.j, bodies.centre_distance - last.centre_distance);
+    if (watch.is_due(1, travelled)) {
+      ++searches;
+      watch.search(1, travelled, bodies.i, bodies.j, bodies.centre_distance, 0.03);
+    }
+    const Pairs truth = closer_than(0.0, bodies.i, bodies.j, bodies.centre_distance);
+    ASSERT_EQ(watched(watch, bodies), truth) << "step " << step << ", seed " << seed;
+    touching += !truth.empty();
+    contacts_begun += truth != before;
+    rests += watch.is_empty(1);
+    before = truth;
+  }
+  EXPECT_LT(searches, steps / 2); // the proofs are used
+  EXPECT_GT(rests, steps / 100);
+  EXPECT_GT(touching, steps / 100); // and tested
+  EXPECT_GT(contacts_begun, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Chains, Watch,
+                         ::testing::Values(std::make_pair(1, 1), std::make_pair(3, 3),
+                                           std::make_pair(5, 5), std::make_pair(5, 13),
+                                           std::make_pair(17, 17), std::make_pair(55, 17)));
+
+TEST(ContactWatch, ForgetsAndStartsDue) {
+  const SphereChain five = chain(5);
+  ContactWatch watch;
+  watch.restart(2);
+  EXPECT_TRUE(watch.is_due(0, 0.0));
+  EXPECT_TRUE(watch.is_empty(0));
+  const ChainPose pose{&five, {1.0, 0.0, 0.0}, 1.0};
+  watch.search(0, 0.0, pose, pose, {0.0, 1.9, 0.0}, 0.01);
+  EXPECT_FALSE(watch.is_empty(0));
+  EXPECT_FALSE(watch.is_due(0, 0.0));
+  EXPECT_TRUE(watch.is_due(0, 0.01));
+  EXPECT_TRUE(watch.is_due(1, 0.0));
+  watch.search(1, 0.0, pose, pose, {0.0, 3.0, 0.0}, 0.01); // a gap of 1 to the capsule
+  EXPECT_TRUE(watch.is_empty(1));
+  EXPECT_FALSE(watch.is_due(1, 0.99));
+  EXPECT_TRUE(watch.is_due(1, 1.01));
+  watch.restart(2);
+  EXPECT_TRUE(watch.is_due(0, 0.0));
+  EXPECT_TRUE(watch.is_empty(0));
+}
+
+TEST(ContactWatch, TravelBoundsEverySphere) {
+  const SphereChain nine = chain(9);
+  Random random;
+  for (int pose = 0; pose < 10000; ++pose) {
+    const ChainPose before{&nine, normalized(random.vector(1.0)), 1.0};
+    const ChainPose after{&nine, normalized(before.axis + random.vector(0.3)),
+                          random.uniform(0.9, 1.1)};
+    const Vector3 displacement = random.vector(0.5);
+    for (int k = 0; k < nine.count(); ++k) {
+      const Vector3 way = displacement + (after.scale * nine.centre(k)) * after.axis -
+                          (before.scale * nine.centre(k)) * before.axis;
+      const double grown = std::fabs(after.scale - before.scale) * nine.radius(k);
+      EXPECT_LE(norm(way) + grown, travel(before, after, displacement) * (1.0 + 1e-14));
+    }
+  }
+}
+
+} // namespace
+} // namespace ellipsoid
