@@ -29,7 +29,7 @@ class Meshes(unittest.TestCase):
 
 
 class Hopper(unittest.TestCase):
-    OUTLET, SHOULDER, FROM, TO = 0.010, 0.030, 0.040, 0.075  # radii and heights of the cone, m
+    OUTLET, SHOULDER, FROM, TO = 0.010, 0.030, 0.018, 0.053  # radii and heights of the cone, m
     FILL = 0.25
 
     def check(self, name, **changes):
