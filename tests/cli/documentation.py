@@ -165,7 +165,8 @@ def check_the_check(sources, pages):
         "option of a setting": edited(model, "velocity", "x"),
         "property of a model": edited(model, "viscousDampingTangential", "x"),
         "section removed": edited(fix, "## Default", ""),
-        "section empty": edited(fix, "`planar` = `no`\n", ""),
+        "section empty": (sources, {**pages, fix: re.sub(
+            r"(## Default\n).*?(?=\n## )", r"\1", pages[fix], flags=re.DOTALL)}),
         "index": edited("README.md", f"({fix})", ""),
         "dead link": edited(fix, "](", "](not_"),
         "page without style": (sources, {**pages, "fix_old.md": pages[fix]}),

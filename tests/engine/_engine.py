@@ -196,15 +196,15 @@ def vectors(columns, *names):
     return np.stack([columns[n] for n in names], axis=-1)
 
 
-def thermo(log):
-    """Rows of all thermo tables of a log file, as lists of numbers."""
+def thermo(log, columns=None):
+    """Rows of all thermo tables of a log file, or of those with this number of columns."""
     rows = []
     for line in Path(log).read_text().splitlines():
         try:
             row = [float(t) for t in line.split()]
         except ValueError:
             continue
-        if len(row) > 1:
+        if len(row) == columns or (columns is None and len(row) > 1):
             rows.append(row)
     return np.array(rows)
 

@@ -10,33 +10,10 @@ import numpy as np
 
 from _contact_geometry import contact
 from _engine import kinetic_energy, read_dump, run_example
+from _examples import GRAVITY, SINK, frame, frames, lowest_points, potential_energy, total_energy
 from _overlaps import scales, shape_squares, touching
 
-GRAVITY = 9.81
-# How far (m) a particle's lowest point may lie below the floor: 2 % of b while it comes to rest on so
-# soft a floor; ellipsoids around inscribed sub-spheres reach lower by the outline deviation, 0.06 b.
-SINK = {"smooth": 3e-5, "multisphere": 1.2e-4}
 ONE_VOLUME = 4.0 / 3.0 * math.pi * 1.5e-9  # of a particle of inputs/compression.in, m3
-
-
-def potential_energy(columns):
-    """m g z of all particles per frame (F,), J."""
-    return (columns["mass"] * GRAVITY * columns["z"]).sum(-1)
-
-
-def lowest_points(columns):
-    """Height (N,) of each particle's lowest point in the first frame (m)."""
-    return columns["z"][0] - np.sqrt(shape_squares(columns)[:, 2, 2])
-
-
-def frames(pattern):
-    """Dumps of one frame each, in the order of time, as the columns of one dump."""
-    parts = [read_dump(file)[1] for file in sorted(Path().glob(pattern))]
-    return {name: np.concatenate([p[name] for p in parts]) for name in parts[0]}
-
-
-def frame(columns, number):
-    return {name: values[number][None] for name, values in columns.items()}
 
 
 class Compression(unittest.TestCase):
@@ -154,7 +131,7 @@ class Mixture(unittest.TestCase):
         for kind, axes in kinds.items():
             found = np.stack([last[n][0] for n in ("shapex", "shapey", "shapez")], axis=1)
             self.assertTrue((found[last["type"][0] == kind] == axes).all())
-        energy = potential_energy(columns) + kinetic_energy(columns)
+        energy = total_energy(columns)
         self.assertTrue((np.diff(energy) < 1e-9 * energy[0]).all(), f"energy grows: {energy}")
         fall = kinetic_energy(last)[0] / (last["mass"].sum() * GRAVITY)
         pairs, factors = scales(last, (0.02, 0.02, math.inf))

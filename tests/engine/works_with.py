@@ -43,6 +43,9 @@ fix motion all nve/ellipsoid
 fix grain all particletemplate/ellipsoid 15485863 semiaxes 0.003 0.002 0.002 density 1340 &
     subspheres {subspheres}
 fix mix all particledistribution/discrete 32452843 1 grain 1.0
+variable law string "{LAW}"
+variable surface string {surface}
+variable meshes string {PAGE.parents[2] / "inputs" / "meshes"}
 region above block -0.015 0.015 -0.015 0.015 0.02 0.05 units box
 thermo_modify lost error norm no
 """
