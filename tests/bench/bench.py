@@ -216,8 +216,8 @@ class Bench:
                      "-var", "start", str(self.compaction_start(shape)),
                      "-var", "duration", repr(duration)]
         if shape.kind == "multisphere":
-            contacts = 24 if shape.subspheres > 20 else 8
-            arguments += ["-var", "subspheres", str(shape.subspheres), "-var", "contacts", str(contacts)]
+            arguments += ["-var", "subspheres", str(shape.subspheres),
+                          "-var", "contacts", str(shape.contacts)]
         return arguments
 
     def sample_compaction(self, group, shape):
@@ -316,8 +316,8 @@ def arguments_of(all_groups):
     parser.add_argument("--cases", help="some of the cases, as a regular expression")
     parser.add_argument("--shapes", help="some of the shapes, as a regular expression")
     parser.add_argument("--repeats", type=int, default=3)
-    parser.add_argument("--compaction-time", type=float, default=0.05,
-                        help="duration of the wall's way (s); the paper's is 0.5, ten times slower")
+    parser.add_argument("--compaction-time", type=float, default=0.1,
+                        help="duration of the wall's way (s); the paper's is 0.5, five times slower")
     parser.add_argument("--where", action="store_true",
                         help="where time goes, by sampling (perf), instead of the table")
     parser.add_argument("--instructions", action="store_true",
