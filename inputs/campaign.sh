@@ -84,6 +84,10 @@ run_one() {
     return
   fi
   mkdir -p "$folder"
+  # piling.in appends to its log: which engine ran comes first, for the report
+  if [[ ! -e $folder/log.piling ]]; then
+    { "$engine" -help 2>/dev/null </dev/null || true; } | sed -n 1p >"$folder/log.piling"
+  fi
   local -a arguments=(-var seed "$seed" -var out "$folder")
   if [[ $surface != smooth ]]; then
     arguments+=(-var surface multisphere -var subspheres "$surface")

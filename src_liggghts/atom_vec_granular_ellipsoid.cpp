@@ -6,6 +6,9 @@
 #include "ellipsoid_host.h"
 #include "ellipsoid_properties.h"
 #include "error.h"
+#include "fix_property_atom.h"
+#include "multisphere_particles.h"
+#include "multisphere_template.h"
 #include "rigid_body.h"
 
 #include <cmath>
@@ -16,7 +19,8 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-constexpr int data_columns = 16; // without the image flags
+constexpr int smooth_columns = 16;               // without sub-spheres and image flags
+constexpr int data_columns = smooth_columns + 2; // without the image flags
 constexpr int image_columns = 3;
 
 double number(Error* error, const char* token, const char* column, const char* atom) {
@@ -38,11 +42,51 @@ double positive(Error* error, const char* token, const char* column, const char*
   return value;
 }
 
+/// An integer from 0 to `largest`.
+int small_integer(Error* error, const char* token, int largest, const char* column,
+                  const char* atom) {
+  const double value = number(error, token, column, atom);
+  if (value != std::floor(value) || value < 0.0 || value > largest)
+    error->one(FLERR, (std::string("Atoms section, atom ") + atom + ": column " + column +
+                       " has the value '" + token + "', allowed are integers from 0 to " +
+                       std::to_string(largest))
+                          .c_str());
+  return static_cast<int>(value);
+}
+
 } // namespace
 
 AtomVecGranularEllipsoid::AtomVecGranularEllipsoid(LAMMPS* lmp) : AtomVecSuperquadric(lmp) {
   size_data_atom = data_columns;
   xcol_data = 3;
+}
+
+void AtomVecGranularEllipsoid::expect_data_words(int words) {
+  const bool smooth = words == smooth_columns || words == smooth_columns + image_columns;
+  size_data_atom = smooth ? smooth_columns : data_columns;
+}
+
+void AtomVecGranularEllipsoid::read_subspheres(int i, char** values) {
+  const char* id = values[0];
+  subspheres_[i] = {small_integer(error, values[smooth_columns], ellipsoid::largest_sphere_count,
+                                  "N", id),
+                    small_integer(error, values[smooth_columns + 1],
+                                  static_cast<int>(ellipsoid::SphereSpacing::minimax_area),
+                                  "spacing", id)};
+}
+
+void AtomVecGranularEllipsoid::finish_data() {
+  size_data_atom = data_columns;
+  const int mine = subspheres_.empty() ? 0 : 1;
+  int any = 0;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  if (any) {
+    const auto properties = ellipsoid_host::make_subsphere_properties(modify);
+    for (const auto& [i, values] : subspheres_)
+      for (std::size_t k = 0; k < values.size(); ++k)
+        properties[k]->vector_atom[i] = values[k];
+  }
+  subspheres_.clear();
 }
 
 void AtomVecGranularEllipsoid::data_atom(double* position, tagint image, char** values) {
@@ -86,6 +130,8 @@ void AtomVecGranularEllipsoid::data_atom(double* position, tagint image, char** 
   atom->area[i] = ellipsoid::surface_area(axes);
   atom->radius[i] = ellipsoid::bounding_radius(axes);
   atom->density[i] = atom->rmass[i] / atom->volume[i];
+  if (size_data_atom == data_columns)
+    read_subspheres(i, values);
 }
 
 void AtomVecGranularEllipsoid::data_vel(int i, char** values) {
@@ -99,6 +145,7 @@ void AtomVecGranularEllipsoid::data_vel(int i, char** values) {
 void AtomVecGranularEllipsoid::pack_data(double** buffer) { pack_data(buffer, 0); }
 
 void AtomVecGranularEllipsoid::pack_data(double** buffer, int tag_offset) {
+  const auto properties = ellipsoid_host::subsphere_properties(modify);
   for (int i = 0; i < atom->nlocal; ++i) {
     double* row = buffer[i];
     row[0] = ubuf(atom->tag[i] + tag_offset).d;
@@ -111,17 +158,21 @@ void AtomVecGranularEllipsoid::pack_data(double** buffer, int tag_offset) {
     for (int k = 0; k < 4; ++k)
       row[8 + k] = atom->quaternion[i][k];
     row[12] = atom->rmass[i];
-    row[16] = ubuf((atom->image[i] & IMGMASK) - IMGMAX).d;
-    row[17] = ubuf((atom->image[i] >> IMGBITS & IMGMASK) - IMGMAX).d;
-    row[18] = ubuf((atom->image[i] >> IMG2BITS) - IMGMAX).d;
+    for (std::size_t k = 0; k < properties.size(); ++k)
+      row[smooth_columns + k] = properties[k] ? properties[k]->vector_atom[i] : 0.0;
+    row[18] = ubuf((atom->image[i] & IMGMASK) - IMGMAX).d;
+    row[19] = ubuf((atom->image[i] >> IMGBITS & IMGMASK) - IMGMAX).d;
+    row[20] = ubuf((atom->image[i] >> IMG2BITS) - IMGMAX).d;
   }
 }
 
 void AtomVecGranularEllipsoid::write_data(FILE* file, int count, double** buffer) {
+  const bool smooth = !ellipsoid_host::subsphere_properties(modify)[0];
+  const int columns = smooth ? smooth_columns : data_columns;
   for (int i = 0; i < count; ++i) {
     const double* row = buffer[i];
     std::fprintf(file, "%d %d", static_cast<int>(ubuf(row[0]).i), static_cast<int>(ubuf(row[1]).i));
-    for (int k = 2; k < data_columns; ++k)
+    for (int k = 2; k < columns; ++k)
       std::fprintf(file, " %-1.17g", row[k]);
     for (int k = data_columns; k < data_columns + image_columns; ++k)
       std::fprintf(file, " %d", static_cast<int>(ubuf(row[k]).i));

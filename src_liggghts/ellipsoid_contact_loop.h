@@ -30,10 +30,20 @@ namespace LIGGGHTS {
 
 using namespace ContactModels;
 
+/// Travels are sums of many terms, which are rounded: so much of a gap is relied upon.
+constexpr double trusted_share_of_gap = 1.0 - 1e-9;
+
 /// Names of history values, and whether they change sign when the pair is seen from j.
 using SearchHistory = std::vector<std::pair<std::string, bool>>;
 
-/// @tparam Surface the derived class; it has prepare(), and treat_pair(i, j, flag, history)
+/// @tparam Surface the derived class. It has
+///          - prepare(): before the first pair; returns whether the neighbour lists are new;
+///          - begin_lists(pairs): after that, if they are;
+///          - travelled(i): how far any point of particle i has moved at most since then (length);
+///          - treat_pair(i, j, pair, travelled, flag, history), `pair` the place in the lists and
+///            `travelled` that of both: returns a length by which the surfaces are apart at least,
+///            0 if they touch or nothing is known;
+///          - finish(): after the last pair.
 /// @tparam Model   the host's ContactModel<...>
 template <typename Surface, typename Model>
 class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPairStyle {
@@ -77,16 +87,29 @@ public:
   void compute_force(PairGran*, int eflag, int vflag, int addflag) override {
     begin(eflag, vflag, addflag);
     Surface& surface = static_cast<Surface&>(*this);
-    surface.prepare();
+    if (surface.prepare())
+      surface.begin_lists(wake_all());
+    counts_.values[ContactCounts::near_pairs] = near_pairs_;
     const NeighList* list = pair_->list;
+    std::size_t pair = 0;
     for (int ii = 0; ii < list->inum; ++ii) {
       const int i = list->ilist[ii];
+      const double travelled_i = surface.travelled(i);
       double* history = pair_->listgranhistory->firstdouble[i];
       int* flags = pair_->listgranhistory->firstneigh[i];
-      for (int jj = 0; jj < list->numneigh[i]; ++jj)
-        surface.treat_pair(i, list->firstneigh[i][jj] & NEIGHMASK, flags[jj],
-                           &history[history_values_ * jj]);
+      const int* neighbours = list->firstneigh[i];
+      const int count = list->numneigh[i];
+      for (int jj = 0; jj < count; ++jj, ++pair) {
+        const int j = neighbours[jj] & NEIGHMASK;
+        const double travelled = travelled_i + surface.travelled(j);
+        if (travelled < asleep_until_[pair])
+          continue;
+        const double gap = surface.treat_pair(i, j, pair, travelled, flags[jj],
+                                              &history[history_values_ * jj]);
+        asleep_until_[pair] = gap > 0.0 ? travelled + trusted_share_of_gap * gap : 0.0;
+      }
     }
+    surface.finish();
     end();
   }
 
@@ -98,20 +121,46 @@ protected:
   ContactCounts counts_;
   int history_values_ = 0; // per pair
   bool collect_ = false;   // for compute pair/gran/local
+  bool reports_ = false;   // somebody wants to know of each contact
+  int frozen_group_ = 0;
+  const double* rigid_masses_ = nullptr; // of the bodies that particles belong to
+
+  // Surfaces that are apart cannot touch before the two particles have travelled their gap: until
+  // then the pair sleeps. One value per pair of the neighbour lists.
+  std::vector<double> asleep_until_;
+  double near_pairs_ = 0.0;
 
   static void reserve(PairGranEllipsoid* pair, const SearchHistory& search_history) {
     for (const auto& value : search_history)
       pair->add_history_value(value.first, value.second ? "1" : "0");
   }
 
-  /// x_j - x_i if the bounding spheres overlap.
-  bool is_near(int i, int j, ellipsoid::Vector3& distance) {
-    counts_.values[ContactCounts::near_pairs] += share(j);
+  /// x_j - x_i.
+  ellipsoid::Vector3 centre_distance(int i, int j) const {
     const double* x_i = atom->x[i];
     const double* x_j = atom->x[j];
-    distance = {x_j[0] - x_i[0], x_j[1] - x_i[1], x_j[2] - x_i[2]};
-    const double reach = atom->radius[i] + atom->radius[j];
-    return dot(distance, distance) < reach * reach;
+    return {x_j[0] - x_i[0], x_j[1] - x_i[1], x_j[2] - x_i[2]};
+  }
+
+  /// Gap between the bounding spheres, 0 if they overlap.
+  double bounding_gap(int i, int j, const ellipsoid::Vector3& distance) const {
+    const double reach = atom->radius[i] + atom->radius[j], squared = dot(distance, distance);
+    return squared < reach * reach ? 0.0 : std::sqrt(squared) - reach;
+  }
+
+  /// Returns the number of pairs in the neighbour lists.
+  std::size_t wake_all() {
+    const NeighList* list = pair_->list;
+    std::size_t pairs = 0;
+    near_pairs_ = 0.0;
+    for (int ii = 0; ii < list->inum; ++ii) {
+      const int i = list->ilist[ii];
+      pairs += static_cast<std::size_t>(list->numneigh[i]);
+      for (int jj = 0; jj < list->numneigh[i]; ++jj)
+        near_pairs_ += share(list->firstneigh[i][jj] & NEIGHMASK);
+    }
+    asleep_until_.assign(pairs, 0.0);
+    return pairs;
   }
 
   /// Pairs with a ghost are treated by two ranks.
@@ -125,6 +174,10 @@ protected:
     history_values_ = pair_->dnum();
     counts_ = ContactCounts();
     collect_ = pair_->cpl() && addflag;
+    reports_ = collect_ || pair_->evflag || pair_->store_sum_normal_force() ||
+               pair_->storeContactForces() || pair_->storeContactForcesStress();
+    frozen_group_ = pair_->freeze_group_bit();
+    rigid_masses_ = pair_->fr_pair() ? pair_->mr_pair() : nullptr;
     contact_ = SurfacesIntersectData();
     contact_.is_wall = false;
     contact_.is_non_spherical = true;
@@ -159,8 +212,11 @@ protected:
   }
 
   /// What all contacts of one pair have in common.
-  void fill_pair(int i, int j, const ellipsoid::Vector3& distance, int& flag) {
-    SurfacesIntersectData& c = contact_;
+  SurfacesIntersectData pair_record(int i, int j, const ellipsoid::Vector3& distance, int& flag) {
+    SurfacesIntersectData c;
+    c.is_non_spherical = true;
+    c.computeflag = contact_.computeflag;
+    c.shearupdate = contact_.shearupdate;
     c.i = i;
     c.j = j;
     c.itype = atom->type[i];
@@ -174,16 +230,16 @@ protected:
     c.omega_i = atom->omega[i];
     c.omega_j = atom->omega[j];
     c.contact_flags = &flag;
-    set_masses();
+    set_masses(c);
+    return c;
   }
 
   /// @param[in] normal  unit, from i to j
   /// @param[in] point   relative to the centre of i (length)
   /// @param[in] radius_i, radius_j of the local spheres (length)
-  void fill_contact(const ellipsoid::Vector3& normal, const ellipsoid::Vector3& point,
-                    double overlap, double reduced_radius, double radius_i, double radius_j,
-                    double* history) {
-    SurfacesIntersectData& c = contact_;
+  void fill_contact(SurfacesIntersectData& c, const ellipsoid::Vector3& normal,
+                    const ellipsoid::Vector3& point, double overlap, double reduced_radius,
+                    double radius_i, double radius_j, double* history) {
     ellipsoid_host::store(-normal, c.en);
     ellipsoid_host::store(ellipsoid_host::vector(atom->x[c.i]) + point, c.contact_point);
     c.deltan = std::max(0.0, overlap);
@@ -194,44 +250,41 @@ protected:
     c.contact_history = history;
   }
 
-  void set_masses() {
-    SurfacesIntersectData& c = contact_;
+  void set_masses(SurfacesIntersectData& c) {
     c.mi = atom->rmass[c.i];
     c.mj = atom->rmass[c.j];
-    if (pair_->fr_pair()) {
-      const double* rigid = pair_->mr_pair();
-      if (rigid[c.i] > 0.0)
-        c.mi = rigid[c.i];
-      if (rigid[c.j] > 0.0)
-        c.mj = rigid[c.j];
+    if (rigid_masses_) {
+      if (rigid_masses_[c.i] > 0.0)
+        c.mi = rigid_masses_[c.i];
+      if (rigid_masses_[c.j] > 0.0)
+        c.mj = rigid_masses_[c.j];
     }
     c.meff = c.mi * c.mj / (c.mi + c.mj);
-    const int frozen = pair_->freeze_group_bit();
-    if (atom->mask[c.i] & frozen)
+    if (atom->mask[c.i] & frozen_group_)
       c.meff = c.mj;
-    if (atom->mask[c.j] & frozen)
+    if (atom->mask[c.j] & frozen_group_)
       c.meff = c.mi;
   }
 
+  /// Contact models and sums of forces, all inlined: the record then lives in registers.
   /// @param[in] weight of its force in the sum
-  void apply_contact(double weight = 1.0) {
-    force_i_.reset();
-    force_j_.reset();
-    model_.surfacesIntersect(contact_, force_i_, force_j_);
-    model_.endSurfacesIntersect(contact_, nullptr, force_i_, force_j_);
+  __attribute__((flatten)) void apply_contact(SurfacesIntersectData& c, double weight = 1.0) {
+    ForceData force_i, force_j;
+    model_.surfacesIntersect(c, force_i, force_j);
+    model_.endSurfacesIntersect(c, nullptr, force_i, force_j);
     if (weight != 1.0) {
-      scale(force_i_, weight);
-      scale(force_j_, weight);
+      scale(force_i, weight);
+      scale(force_j, weight);
     }
     contact_.has_force_update = true;
-    const int i = contact_.i, j = contact_.j;
-    const bool owns_j = force->newton_pair || j < atom->nlocal;
-    if (contact_.computeflag) {
-      add_force(i, force_i_);
+    const bool owns_j = force->newton_pair || c.j < atom->nlocal;
+    if (c.computeflag) {
+      add_force(c.i, force_i);
       if (owns_j)
-        add_force(j, force_j_);
+        add_force(c.j, force_j);
     }
-    report_contact(i, j, owns_j);
+    if (reports_)
+      report_contact(c, force_i, force_j, owns_j);
   }
 
   static void scale(ForceData& f, double factor) {
@@ -250,26 +303,30 @@ protected:
   }
 
   /// What other commands of the host want to know of each contact.
-  void report_contact(int i, int j, bool owns_j) {
-    const double* f = force_i_.delta_F;
-    if (contact_.computeflag && pair_->store_sum_normal_force()) {
-      const double normal_force = vectorDot3D(f, contact_.en);
+  __attribute__((noinline)) void report_contact(SurfacesIntersectData c, const ForceData& force_i,
+                                                const ForceData& force_j, bool owns_j) {
+    const int i = c.i, j = c.j;
+    const double* f = force_i.delta_F;
+    if (c.computeflag && pair_->store_sum_normal_force()) {
+      const double normal_force = vectorDot3D(f, c.en);
       *pair_->get_sum_normal_force_ptr(i) += normal_force;
       if (owns_j)
         *pair_->get_sum_normal_force_ptr(j) += normal_force;
     }
-    if (collect_)
-      pair_->cpl_add_pair(contact_, force_i_);
+    if (collect_) {
+      ForceData force = force_i; // the host's signature
+      pair_->cpl_add_pair(c, force);
+    }
     if (pair_->evflag)
       pair_->ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, 0.0, 0.0, f[0], f[1], f[2],
-                          contact_.delta[0], contact_.delta[1], contact_.delta[2]);
+                          c.delta[0], c.delta[1], c.delta[2]);
     if (pair_->storeContactForces() && 0 == update->ntimestep % pair_->storeContactForcesEvery()) {
-      store_partner(pair_->fix_contact_forces(), i, j, force_i_);
-      store_partner(pair_->fix_contact_forces(), j, i, force_j_);
+      store_partner(pair_->fix_contact_forces(), i, j, force_i);
+      store_partner(pair_->fix_contact_forces(), j, i, force_j);
     }
     if (pair_->storeContactForcesStress()) {
-      store_stress_partner(i, j, force_i_);
-      store_stress_partner(j, i, force_j_);
+      store_stress_partner(i, j, force_i);
+      store_stress_partner(j, i, force_j);
     }
   }
 

@@ -76,19 +76,28 @@ MatrixProperty* viscous_damping_normal(PropertyRegistry& registry, const char* c
 MatrixProperty* viscous_damping_tangential(PropertyRegistry& registry, const char* caller,
                                            bool sanity);
 
-/// Reads the arguments of a fix one after the other and checks each: every complaint is one line
+/// "Fix" or "Compute", style and id of a command, as messages name it.
+struct CommandName {
+  const char* kind;
+  std::string style, id;
+};
+
+/// Reads the arguments of a command one after the other and checks each: every complaint is one line
 /// that says the keyword, the given value, the allowed range and the remedy.
 class ArgumentReader {
 public:
   /// @param[in] first index of the first argument to read
   ArgumentReader(LAMMPS_NS::Error* error, LAMMPS_NS::Fix* fix, int count, char** arguments,
                  int first)
-      : ArgumentReader(error, fix->style, fix->id, count, arguments, first) {}
+      : ArgumentReader(error, CommandName{"Fix", fix->style, fix->id}, count, arguments, first) {}
   /// For arguments that are read before the fix exists.
   ArgumentReader(LAMMPS_NS::Error* error, const std::string& style, const std::string& id, int count,
                  char** arguments, int first)
-      : error_(error), title_("Fix " + style + " (id " + id + "): "), count_(count),
-        arguments_(arguments), index_(first) {}
+      : ArgumentReader(error, CommandName{"Fix", style, id}, count, arguments, first) {}
+  ArgumentReader(LAMMPS_NS::Error* error, const CommandName& name, int count, char** arguments,
+                 int first)
+      : error_(error), title_(name.kind + (" " + name.style) + " (id " + name.id + "): "),
+        count_(count), arguments_(arguments), index_(first) {}
 
   bool done() const { return index_ >= count_; }
   /// The next argument as a keyword.

@@ -8,6 +8,7 @@
 
 #include "atom.h"
 #include "ellipsoid_contact_caller.h"
+#include "ellipsoid_host.h"
 #include "math_extra_liggghts_nonspherical.h"
 #include "surface_model_base.h"
 
@@ -38,21 +39,39 @@ public:
   inline bool checkSurfaceIntersect(SurfacesIntersectData& sidata) { return sidata.deltan >= 0.0; }
 
   inline void surfacesIntersect(SurfacesIntersectData& sidata, ForceData&, ForceData&) {
-    // the host's wall overwrites radi with the radius of the sphere of equal volume
-    sidata.radi = caller_->curvature_radius_i;
-    if (!sidata.is_wall)
-      sidata.radj = caller_->curvature_radius_j;
+    set_local_spheres(sidata);
     MathExtraLiggghtsNonspherical::surfacesIntersectNonSpherical(sidata, atom->x);
   }
 
-  inline void endSurfacesIntersect(SurfacesIntersectData&, TriMesh*, double* const) {}
+  /// Called when all models have added to the force.
+  inline void endSurfacesIntersect(SurfacesIntersectData& sidata, TriMesh* mesh,
+                                   double* const force) {
+    if (sidata.computeflag && caller_->keeps_records())
+      caller_->add_record(sidata, ellipsoid_host::vector(force), *atom, mesh);
+  }
   inline void surfacesClose(SurfacesCloseData&, ForceData&, ForceData&) {}
   inline void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
   inline void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
   inline void tally_pp(double, int, int, int) {}
   inline void tally_pw(double, int, int, int) {}
 
+protected:
+  EllipsoidContactCaller& caller() { return *caller_; }
+
 private:
+  /// What models say of radii and distances is about spheres with the radii of the contact at the
+  /// distance that gives its overlap. (The host's wall has put the sphere of equal volume.)
+  void set_local_spheres(SurfacesIntersectData& sidata) const {
+    sidata.radi = sidata.radsum = caller_->curvature_radius_i;
+    if (!sidata.is_wall) {
+      sidata.radj = caller_->curvature_radius_j;
+      sidata.radsum += sidata.radj;
+    }
+    sidata.r = sidata.radsum - sidata.deltan;
+    sidata.rsq = sidata.r * sidata.r;
+    sidata.rinv = 1.0 / sidata.r;
+  }
+
   IContactHistorySetup* setup_;
   std::string name_;
   EllipsoidContactCaller* caller_ = nullptr;

@@ -113,7 +113,9 @@ double FixInsertDrop::min_rad(int type) {
 }
 
 void FixInsertDrop::draw(ParticleToInsertEllipsoid& p) const {
-  template_->fill(p);
+  ellipsoid::CounterRandom shape(~static_cast<std::uint64_t>(seed_),
+                                 static_cast<std::uint64_t>(inserted_));
+  template_->fill(p, [&shape] { return shape.uniform(); });
   ellipsoid::CounterRandom random(static_cast<std::uint64_t>(seed_),
                                   static_cast<std::uint64_t>(inserted_));
   double position[3], velocity[3], at_rest[3] = {0.0, 0.0, 0.0}, quaternion[4];

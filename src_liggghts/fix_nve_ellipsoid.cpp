@@ -4,11 +4,18 @@
 #include "atom.h"
 #include "ellipsoid_host.h"
 #include "error.h"
+#include "fix_property_atom.h"
 #include "force.h"
+#include "gear_predictor_corrector.h"
+#include "modify.h"
 #include "rigid_body.h"
 #include "update.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace LAMMPS_NS;
 using ellipsoid_host::quaternion;
@@ -21,6 +28,14 @@ namespace {
 /// the rounding of a long run, far below what a user could mean.
 constexpr double largest_misalignment = 1e-10;
 
+constexpr int derivative_count = 4; // of each coordinate: second to fifth
+constexpr int translation_values = 1 + 3 * derivative_count, rotation_values = 4 * derivative_count;
+
+ellipsoid::Quaternion turned_about_z(const ellipsoid::Quaternion& q, double angle) {
+  return normalized(
+      ellipsoid::Quaternion{std::cos(0.5 * angle), 0.0, 0.0, std::sin(0.5 * angle)} * q);
+}
+
 } // namespace
 
 FixNVEEllipsoid::FixNVEEllipsoid(LAMMPS* lmp, int narg, char** arg) : FixNVE(lmp, narg, arg) {
@@ -29,15 +44,66 @@ FixNVEEllipsoid::FixNVEEllipsoid(LAMMPS* lmp, int narg, char** arg) : FixNVE(lmp
     const std::string keyword = reader.keyword();
     if (keyword == "planar")
       planar_ = reader.yes_no(keyword);
+    else if (keyword == "integrator")
+      gear_ = reader.choice(keyword, {"verlet", "gear"}) == 1;
     else
-      reader.complain("unknown keyword '" + keyword + "', allowed is 'planar'");
+      reader.complain("unknown keyword '" + keyword + "', allowed are 'planar', 'integrator'");
   }
+}
+
+FixPropertyAtom* FixNVEEllipsoid::find_derivatives(const char* what) const {
+  const std::string name = std::string("gear_") + what + "_" + id;
+  return static_cast<FixPropertyAtom*>(
+      modify->find_fix_property(name.c_str(), "property/atom", "vector", 0, 0, style, false));
+}
+
+/// The derivatives go with the atoms to other ranks and to restart files.
+void FixNVEEllipsoid::post_create() {
+  if (!gear_)
+    return;
+  for (const auto& [what, count] : {std::make_pair("translation", translation_values),
+                                    std::make_pair("rotation", rotation_values)}) {
+    if (find_derivatives(what))
+      continue;
+    const std::string name = std::string("gear_") + what + "_" + id;
+    std::vector<const char*> arguments{name.c_str(), "all", "property/atom", name.c_str(),
+                                       "vector",     "yes", "no",            "no"};
+    arguments.insert(arguments.end(), static_cast<std::size_t>(count), "0.");
+    modify->add_fix(static_cast<int>(arguments.size()), const_cast<char**>(arguments.data()));
+  }
+}
+
+void FixNVEEllipsoid::pre_delete(bool unfixed) {
+  if (!gear_ || !unfixed)
+    return;
+  for (const char* what : {"translation", "rotation"})
+    if (const FixPropertyAtom* derivatives = find_derivatives(what))
+      modify->delete_fix(derivatives->id);
 }
 
 void FixNVEEllipsoid::init() {
   FixNVE::init();
   if (!atom->superquadric_flag)
     error->fix_error(FLERR, this, "needs particles with shape: use atom_style granular/ellipsoid");
+  if (gear_) {
+    translation_ = find_derivatives("translation");
+    rotation_ = find_derivatives("rotation");
+  }
+}
+
+template <class Action> void FixNVEEllipsoid::for_each_atom(Action action) const {
+  const int count = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
+  for (int i = 0; i < count; ++i)
+    if (atom->mask[i] & groupbit)
+      action(i);
+}
+
+void FixNVEEllipsoid::setup(int) {
+  if (gear_)
+    for_each_atom([this](int i) {
+      if (translation_->array_atom[i][0] == 0.0)
+        start(i);
+    });
 }
 
 void FixNVEEllipsoid::reset_dt() {
@@ -65,32 +131,146 @@ void FixNVEEllipsoid::keep_in_plane(int i) const {
     atom->torque[i][k] = atom->angmom[i][k] = atom->omega[i][k] = 0.0;
 }
 
-void FixNVEEllipsoid::turn(int i) const {
-  const ellipsoid::Vector3 momentum = vector(atom->angmom[i]), inertia = vector(atom->inertia[i]);
-  const auto q = rotate_freely(quaternion(atom->quaternion[i]), momentum, inertia, dtv);
-  store(q, atom->quaternion[i]);
-  store(angular_velocity(momentum, inertia, q), atom->omega[i]);
+/// Particles turn together with others: as soon as the batch is full, at the latest in turn_waiting().
+void FixNVEEllipsoid::turn(int i) {
+  turning_[turns_.size()] = i;
+  turns_.add(quaternion(atom->quaternion[i]), vector(atom->angmom[i]), vector(atom->inertia[i]));
+  if (turns_.full())
+    turn_waiting();
 }
 
-void FixNVEEllipsoid::turn_in_plane(int i) const {
-  const auto q = quaternion(atom->quaternion[i]);
-  const ellipsoid::PlanarInertia inertia = planar_inertia(q, vector(atom->inertia[i]));
+void FixNVEEllipsoid::turn_waiting() {
+  turns_.solve(dtv);
+  for (int k = 0; k < turns_.size(); ++k) {
+    store(turns_.orientation(k), atom->quaternion[turning_[k]]);
+    store(turns_.omega(k), atom->omega[turning_[k]]);
+  }
+  turns_.clear();
+}
+
+double FixNVEEllipsoid::inertia_about_z(int i) const {
+  const ellipsoid::PlanarInertia inertia =
+      planar_inertia(quaternion(atom->quaternion[i]), vector(atom->inertia[i]));
   if (inertia.misaligned > largest_misalignment)
     error->one(FLERR, ("Fix nve/ellipsoid (id " + std::string(id) + "): planar yes, but atom " +
                        std::to_string(atom->tag[i]) +
                        " has no principal axis along z; insert it with orientation planar, or set "
                        "its quaternion")
                           .c_str());
-  const double rate = atom->angmom[i][2] / inertia.about_z;
-  store(rotate_about_z(q, dtv * rate), atom->quaternion[i]);
+  return inertia.about_z;
+}
+
+void FixNVEEllipsoid::turn_in_plane(int i) const {
+  const double rate = atom->angmom[i][2] / inertia_about_z(i);
+  store(rotate_about_z(quaternion(atom->quaternion[i]), dtv * rate), atom->quaternion[i]);
   atom->omega[i][2] = rate;
 }
 
+/// Derivatives of a particle that has none: of constant force, and of a torque that is constant in the
+/// body frame.
+void FixNVEEllipsoid::start(int i) const {
+  if (planar_)
+    keep_in_plane(i);
+  double *linear = translation_->array_atom[i], *angular = rotation_->array_atom[i];
+  std::fill(linear, linear + translation_values, 0.0);
+  std::fill(angular, angular + rotation_values, 0.0);
+  linear[0] = 1.0;
+  for (int k = 0; k < 3; ++k)
+    linear[1 + derivative_count * k] = atom->f[i][k] * force->ftm2v / atom->rmass[i];
+  if (planar_) {
+    angular[0] = atom->torque[i][2] * force->ftm2v / inertia_about_z(i);
+    return;
+  }
+  const auto q = quaternion(atom->quaternion[i]);
+  const ellipsoid::Vector3 inertia = vector(atom->inertia[i]);
+  const auto derivatives =
+      rotation_derivatives(q, angular_velocity(vector(atom->angmom[i]), inertia, q),
+                           force->ftm2v * vector(atom->torque[i]), inertia);
+  for (const ellipsoid::GearDerivatives& of_component : derivatives)
+    angular = std::copy(of_component.begin(), of_component.end(), angular);
+}
+
+/// `step` changes the angle (0 before, rad) and the rate, given the moment of inertia about z.
+template <class Step> void FixNVEEllipsoid::step_in_plane(int i, Step step) const {
+  const double moment = inertia_about_z(i);
+  double angle = 0.0, rate = atom->angmom[i][2] / moment;
+  step(angle, rate, moment);
+  store(turned_about_z(quaternion(atom->quaternion[i]), angle), atom->quaternion[i]);
+  atom->omega[i][2] = rate;
+  atom->angmom[i][2] = moment * rate;
+}
+
+void FixNVEEllipsoid::predict(int i, const ellipsoid::Gear& gear) const {
+  if (translation_->array_atom[i][0] == 0.0)
+    start(i);
+  double *linear = translation_->array_atom[i] + 1, *angular = rotation_->array_atom[i];
+  for (int k = 0; k < 3; ++k)
+    gear.predict(atom->x[i][k], atom->v[i][k], linear + derivative_count * k);
+  double* q = atom->quaternion[i];
+  const ellipsoid::Vector3 inertia = vector(atom->inertia[i]);
+  if (planar_) {
+    step_in_plane(i, [&](double& angle, double& rate, double) { gear.predict(angle, rate, angular); });
+    return;
+  }
+  double rate[4];
+  store(quaternion_rate(quaternion(q),
+                        angular_velocity(vector(atom->angmom[i]), inertia, quaternion(q))),
+        rate);
+  for (int k = 0; k < 4; ++k)
+    gear.predict(q[k], rate[k], angular + derivative_count * k);
+  store(normalized(quaternion(q)), q);
+  store_spin(i, angular_velocity_of_rate(quaternion(q), quaternion(rate)));
+}
+
+void FixNVEEllipsoid::correct(int i, const ellipsoid::Gear& gear) const {
+  if (translation_->array_atom[i][0] == 0.0) {
+    start(i); // came in this very step
+    return;
+  }
+  if (planar_)
+    keep_in_plane(i);
+  double* linear = translation_->array_atom[i] + 1;
+  for (int k = 0; k < 3; ++k)
+    gear.correct(atom->x[i][k], atom->v[i][k], linear + derivative_count * k,
+                 atom->f[i][k] * force->ftm2v / atom->rmass[i]);
+  correct_rotation(i, gear);
+}
+
+void FixNVEEllipsoid::correct_rotation(int i, const ellipsoid::Gear& gear) const {
+  double *angular = rotation_->array_atom[i], *q = atom->quaternion[i];
+  if (planar_) {
+    step_in_plane(i, [&](double& angle, double& rate, double moment) {
+      gear.correct(angle, rate, angular, atom->torque[i][2] * force->ftm2v / moment);
+    });
+    return;
+  }
+  const auto predicted = quaternion(q);
+  const ellipsoid::Vector3 omega = vector(atom->omega[i]), inertia = vector(atom->inertia[i]);
+  double rate[4], second[4];
+  store(quaternion_rate(predicted, omega), rate);
+  store(quaternion_acceleration(
+            predicted, omega,
+            angular_acceleration(predicted, omega, force->ftm2v * vector(atom->torque[i]), inertia)),
+        second);
+  for (int k = 0; k < 4; ++k)
+    gear.correct(q[k], rate[k], angular + derivative_count * k, second[k]);
+  store(normalized(quaternion(q)), q);
+  store_spin(i, angular_velocity_of_rate(quaternion(q), quaternion(rate)));
+}
+
+void FixNVEEllipsoid::store_spin(int i, const ellipsoid::Vector3& omega) const {
+  store(omega, atom->omega[i]);
+  store(angular_momentum(omega, vector(atom->inertia[i]), quaternion(atom->quaternion[i])),
+        atom->angmom[i]);
+}
+
 void FixNVEEllipsoid::initial_integrate(int) {
-  const int count = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
-  for (int i = 0; i < count; ++i) {
-    if (!(atom->mask[i] & groupbit))
-      continue;
+  const ellipsoid::Gear gear(dtv);
+  for_each_atom([&](int i) {
+    if (gear_) {
+      predict(i, gear);
+      return;
+    }
     kick(i);
     if (planar_)
       keep_in_plane(i);
@@ -100,14 +280,17 @@ void FixNVEEllipsoid::initial_integrate(int) {
       turn_in_plane(i);
     else
       turn(i);
-  }
+  });
+  turn_waiting();
 }
 
 void FixNVEEllipsoid::final_integrate() {
-  const int count = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
-  for (int i = 0; i < count; ++i) {
-    if (!(atom->mask[i] & groupbit))
-      continue;
+  const ellipsoid::Gear gear(dtv);
+  for_each_atom([&](int i) {
+    if (gear_) {
+      correct(i, gear);
+      return;
+    }
     kick(i);
     if (planar_) {
       keep_in_plane(i);
@@ -119,7 +302,7 @@ void FixNVEEllipsoid::final_integrate() {
                              quaternion(atom->quaternion[i])),
             atom->omega[i]);
     }
-  }
+  });
 }
 
 void FixNVEEllipsoid::initial_integrate_respa(int, int, int) {

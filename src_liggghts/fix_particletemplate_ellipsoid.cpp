@@ -10,6 +10,7 @@
 #include "math_extra_liggghts.h"
 #include "memory.h"
 #include "modify.h"
+#include "multisphere_particles.h"
 #include "random_park.h"
 
 #include <algorithm>
@@ -107,18 +108,10 @@ FixParticletemplateEllipsoid::~FixParticletemplateEllipsoid() {
     delete_ptilist();
 }
 
-/// What tells multi-sphere particles apart is stored per atom, in fixes that are made here once and
-/// go with the atoms to other ranks, ghosts and restart files.
+/// What tells multi-sphere particles apart is stored per atom.
 void FixParticletemplateEllipsoid::post_create() {
-  if (!stores_subspheres_)
-    return;
-  for (const char* name : {"subspheres", "spacing"}) {
-    if (modify->find_fix_property(name, "property/atom", "scalar", 0, 0, style, false))
-      continue;
-    const char* arguments[] = {name,  "all", "property/atom", name, "scalar",
-                               "yes", "yes", "no",            "0."};
-    modify->add_fix(9, const_cast<char**>(arguments));
-  }
+  if (stores_subspheres_)
+    ellipsoid_host::make_subsphere_properties(modify);
 }
 
 void FixParticletemplateEllipsoid::parse(int narg, char** arg) {
@@ -132,6 +125,8 @@ void FixParticletemplateEllipsoid::parse(int narg, char** arg) {
       for (double* axis : {&semiaxes_.x, &semiaxes_.y, &semiaxes_.z})
         *axis = reader.positive(keyword);
       has_semiaxes = true;
+    } else if (keyword == "vary") {
+      parse_variation(reader);
     } else if (keyword == "density") {
       density_ = reader.positive(keyword);
     } else if (keyword == "mass") {
@@ -157,11 +152,54 @@ void FixParticletemplateEllipsoid::parse(int narg, char** arg) {
       vol_limit = reader.positive(keyword);
     } else {
       reader.complain("unknown keyword '" + keyword +
-                      "', allowed are 'atom_type', 'semiaxes', 'density', 'mass', 'inertia', "
+                      "', allowed are 'atom_type', 'semiaxes', 'vary', 'density', 'mass', 'inertia', "
                       "'orientation', 'subspheres', 'spacing', 'volume_limit'");
     }
   }
   finish(has_semiaxes, has_moments);
+}
+
+/// vary all|a|b|c|bc uniform|gaussian|lognormal first second
+void FixParticletemplateEllipsoid::parse_variation(ellipsoid_host::ArgumentReader& reader) {
+  using ellipsoid::SizeDistribution;
+  const std::string keyword = "vary";
+  Variation variation;
+  const int which = reader.choice(keyword, {"all", "a", "b", "c", "bc"});
+  const bool chosen[5][3] = {
+      {true, true, true}, {true, false, false}, {false, true, false}, {false, false, true},
+      {false, true, true}};
+  std::copy(chosen[which], chosen[which] + 3, variation.axes.begin());
+  const int kind = reader.choice(keyword, {"uniform", "gaussian", "lognormal"});
+  if (kind == 0) {
+    const double low = reader.positive(keyword);
+    variation.factor = {SizeDistribution::Kind::uniform, low,
+                        reader.number(keyword, low, HUGE_VAL)};
+  } else if (kind == 1) {
+    const double mean = reader.positive(keyword);
+    const double largest_deviation = 0.999 * mean / SizeDistribution::cut;
+    variation.factor = {SizeDistribution::Kind::gaussian, mean,
+                        reader.number(keyword, 0.0, largest_deviation)};
+  } else {
+    constexpr double largest = 3.0; // of the logarithm's mean and standard deviation
+    const double mean = reader.number(keyword, -largest, largest);
+    variation.factor = {SizeDistribution::Kind::lognormal, mean,
+                        reader.number(keyword, 0.0, largest)};
+  }
+  variations_.push_back(variation);
+}
+
+/// Semi-axes times the values that `value_of` gives of the random factors.
+template <class Value>
+ellipsoid::Vector3 FixParticletemplateEllipsoid::varied(Value value_of) const {
+  double axes[3];
+  store(semiaxes_, axes);
+  for (const Variation& variation : variations_) {
+    const double factor = value_of(variation.factor);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (variation.axes[k])
+        axes[k] *= factor;
+  }
+  return ellipsoid_host::vector(axes);
 }
 
 void FixParticletemplateEllipsoid::finish(bool has_semiaxes, bool has_moments) {
@@ -170,46 +208,82 @@ void FixParticletemplateEllipsoid::finish(bool has_semiaxes, bool has_moments) {
   if ((density_ > 0.0) == (mass_ > 0.0))
     error->fix_error(FLERR, this,
                      "exactly one of the keywords 'density' and 'mass' is needed; give one of them");
+  if (!variations_.empty() && (mass_ > 0.0 || has_moments))
+    error->fix_error(FLERR, this,
+                     "keyword 'vary' does not go with 'mass' or 'inertia', which belong to one size; "
+                     "use 'density'");
   semiaxes_ *= force->cg(atom_type);
   volume_expect = ellipsoid::volume(semiaxes_);
+  for (const Variation& variation : variations_)
+    volume_expect *= variation.factor.moment(
+        static_cast<int>(std::count(variation.axes.begin(), variation.axes.end(), true)));
   if (density_ > 0.0)
-    mass_ = density_ * volume_expect;
+    mass_ = density_ * ellipsoid::volume(semiaxes_);
   else
-    density_ = mass_ / volume_expect;
-  mass_expect = mass_;
-  bounding_radius_ = ellipsoid::bounding_radius(semiaxes_);
+    density_ = mass_ / ellipsoid::volume(semiaxes_);
+  mass_expect = density_ * volume_expect;
+  using ellipsoid::SizeDistribution;
+  const auto smallest = varied([](const SizeDistribution& d) { return d.smallest(); });
+  const auto largest = varied([](const SizeDistribution& d) { return d.largest(); });
+  smallest_bounding_radius_ = ellipsoid::bounding_radius(smallest);
+  largest_bounding_radius_ = ellipsoid::bounding_radius(largest);
   if (!has_moments)
     principal_moments_ = ellipsoid::principal_moments(semiaxes_, mass_);
-  const ellipsoid::Vector3& m = principal_moments_;
-  if (m.x > m.y + m.z || m.y > m.x + m.z || m.z > m.x + m.y)
-    error->fix_error(FLERR, this,
-                     "keyword 'inertia': one moment is larger than the sum of the two others, which "
-                     "no rigid body has; correct the values");
+  check_moments();
   if (subspheres_ > 0)
     check_multisphere();
 }
 
+void FixParticletemplateEllipsoid::check_moments() const {
+  const ellipsoid::Vector3& m = principal_moments_;
+  if (m.x > m.y + m.z || m.y > m.x + m.z || m.z > m.x + m.y)
+    error->fix_error(FLERR, const_cast<FixParticletemplateEllipsoid*>(this),
+                     "keyword 'inertia': one moment is larger than the sum of the two others, which "
+                     "no rigid body has; correct the values");
+}
+
+/// Both the most and the least elongated particle must have a chain.
 void FixParticletemplateEllipsoid::check_multisphere() const {
+  using ellipsoid::SizeDistribution;
   try {
     if (semiaxes_.y != semiaxes_.z)
       throw std::invalid_argument("the semi-axes b and c differ, multi-spheres need b = c; use "
                                   "equal ones, or 'surface smooth' without 'subspheres'");
-    ellipsoid::make_multisphere(semiaxes_.x, semiaxes_.y, subspheres_, spacing_);
+    double longest = semiaxes_.x / semiaxes_.y, shortest = longest;
+    for (const Variation& variation : variations_) {
+      if (variation.axes[1] != variation.axes[2])
+        throw std::invalid_argument("'vary b' and 'vary c' make the semi-axes b and c differ, "
+                                    "multi-spheres need b = c; use 'vary bc'");
+      const SizeDistribution& factor = variation.factor;
+      if (variation.axes[0] != variation.axes[1]) {
+        const bool on_a = variation.axes[0];
+        longest *= on_a ? factor.largest() : 1.0 / factor.smallest();
+        shortest *= on_a ? factor.smallest() : 1.0 / factor.largest();
+      }
+    }
+    for (const double aspect : {shortest, longest})
+      ellipsoid::make_multisphere(aspect, 1.0, subspheres_, spacing_);
   } catch (const std::invalid_argument& problem) {
     error->fix_error(FLERR, const_cast<FixParticletemplateEllipsoid*>(this),
                      ("keyword 'subspheres': " + std::string(problem.what())).c_str());
   }
 }
 
-void FixParticletemplateEllipsoid::fill(ParticleToInsertEllipsoid& p) const {
+void FixParticletemplateEllipsoid::fill(ParticleToInsertEllipsoid& p,
+                                        const std::function<double()>& uniform) const {
+  const ellipsoid::Vector3 axes = varied(
+      [&uniform](const ellipsoid::SizeDistribution& d) { return d.draw(uniform()); });
+  const double volume = ellipsoid::volume(axes);
+  const bool one_size = variations_.empty(); // its mass and moments may be given
   p.atom_type = atom_type;
-  p.radius_ins[0] = p.r_bound_ins = bounding_radius_;
+  p.radius_ins[0] = p.r_bound_ins = ellipsoid::bounding_radius(axes);
   p.density_ins = density_;
-  p.volume_ins = ellipsoid::volume(semiaxes_);
-  p.area_ins = ellipsoid::surface_area(semiaxes_);
-  p.mass_ins = mass_;
-  store(semiaxes_, p.shape_ins);
-  store(principal_moments_, p.inertia_ins);
+  p.volume_ins = volume;
+  p.area_ins = ellipsoid::surface_area(axes);
+  p.mass_ins = one_size ? mass_ : density_ * volume;
+  store(axes, p.shape_ins);
+  store(one_size ? principal_moments_ : ellipsoid::principal_moments(axes, p.mass_ins),
+        p.inertia_ins);
   p.blockiness_ins[0] = p.blockiness_ins[1] = 2.0;
   store(ellipsoid::Vector3{}, p.x_ins[0]);
   store(ellipsoid::Vector3{}, p.v_ins);
@@ -220,7 +294,7 @@ void FixParticletemplateEllipsoid::fill(ParticleToInsertEllipsoid& p) const {
 }
 
 void FixParticletemplateEllipsoid::randomize(ParticleToInsertEllipsoid& p) {
-  fill(p);
+  fill(p, [this] { return random_insertion->uniform(); });
   p.has_orientation = planar_;
   if (planar_) {
     const double half_angle = M_PI * (random_insertion->uniform() - 0.5);
@@ -268,5 +342,12 @@ unsigned int FixParticletemplateEllipsoid::generate_hash() {
   for (const int value :
        {static_cast<int>(planar_), subspheres_, static_cast<int>(spacing_)})
     add_hash_value(value, start, hash);
+  for (const Variation& variation : variations_) {
+    for (const bool axis : variation.axes)
+      add_hash_value(static_cast<int>(axis), start, hash);
+    for (const double value : {variation.factor.smallest(), variation.factor.largest(),
+                               variation.factor.moment(1)})
+      add_hash_value(value, start, hash);
+  }
   return hash;
 }

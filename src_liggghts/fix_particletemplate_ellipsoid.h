@@ -10,7 +10,16 @@ FixStyle(particletemplate/ellipsoid,FixParticletemplateEllipsoid)
 #include "fix_template_sphere.h"
 #include "multisphere_template.h"
 #include "particleToInsertSuperquadric.h"
+#include "size_distribution.h"
 #include "vector3.h"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace ellipsoid_host {
+class ArgumentReader;
+}
 
 namespace LAMMPS_NS {
 
@@ -35,9 +44,9 @@ public:
   ~FixParticletemplateEllipsoid();
 
   void post_create() override;
-  double min_rad() override { return bounding_radius_; }
-  double max_rad() override { return bounding_radius_; }
-  double max_r_bound() override { return bounding_radius_; }
+  double min_rad() override { return smallest_bounding_radius_; }
+  double max_rad() override { return largest_bounding_radius_; }
+  double max_r_bound() override { return largest_bounding_radius_; }
   void randomize_single() override;
   void init_ptilist(int n_random_max, const bool enforce_single = false,
                     FixPropertyAtom* const fix_release = nullptr) override;
@@ -48,20 +57,30 @@ public:
 
   bool planar() const { return planar_; }
   /// Shape, mass and moments; neither position nor orientation.
-  void fill(ParticleToInsertEllipsoid& particle) const;
+  /// @param[in] uniform source of numbers in [0, 1), one is taken for each `vary`
+  void fill(ParticleToInsertEllipsoid& particle, const std::function<double()>& uniform) const;
 
 private:
-  ellipsoid::Vector3 semiaxes_;          // (length)
+  /// Keyword `vary`: a random factor on some of the semi-axes.
+  struct Variation {
+    std::array<bool, 3> axes{};
+    ellipsoid::SizeDistribution factor;
+  };
+  std::vector<Variation> variations_;
+  ellipsoid::Vector3 semiaxes_;          // without the random factors (length)
   ellipsoid::Vector3 principal_moments_; // about the body's x, y, z (mass length^2)
   double mass_ = 0.0;
   double density_ = 0.0; // mass over the volume of the smooth ellipsoid
-  double bounding_radius_ = 0.0;
+  double smallest_bounding_radius_ = 0.0, largest_bounding_radius_ = 0.0;
   bool planar_ = false; // random angle in the xy plane
   int subspheres_ = 0;  // N of multi-sphere particles, 0: smooth
   bool stores_subspheres_ = false;
   ellipsoid::SphereSpacing spacing_ = ellipsoid::SphereSpacing::paper;
 
   void parse(int narg, char** arg);
+  void parse_variation(ellipsoid_host::ArgumentReader& reader);
+  template <class Value> ellipsoid::Vector3 varied(Value value_of) const;
+  void check_moments() const;
   void finish(bool has_semiaxes, bool has_moments);
   void check_multisphere() const;
   void randomize(ParticleToInsertEllipsoid& particle);

@@ -51,52 +51,35 @@ private:
 
   ellipsoid_host::MultisphereParticles particles_;
   ellipsoid::ContactWatch watch_;
-  std::size_t next_pair_ = 0; // of the walk over the neighbour lists
-  double pairs_ = 0.0;        // in the lists, those with ghosts half
   std::vector<ellipsoid::SphereContact> found_;
   std::vector<SpherePair*> touching_; // per contact found
   int slot_values_ = 0, slots_ = 0;
   ellipsoid::MulticontactRule rule_ = ellipsoid::MulticontactRule::sum;
 
-  void prepare() {
-    if (particles_.update())
-      watch_.restart(count_pairs());
-    next_pair_ = 0;
-    counts_.values[ContactCounts::near_pairs] = pairs_;
-  }
+  /// Whether the neighbour lists are new.
+  bool prepare() { return particles_.update(); }
+  void begin_lists(std::size_t pairs) { watch_.restart(pairs); }
+  double travelled(int i) const { return particles_.travelled(i); }
+  void finish() {}
 
-  std::size_t count_pairs() {
-    const NeighList* list = pair_->list;
-    std::size_t pairs = 0;
-    pairs_ = 0.0;
-    for (int ii = 0; ii < list->inum; ++ii) {
-      const int i = list->ilist[ii];
-      pairs += static_cast<std::size_t>(list->numneigh[i]);
-      for (int jj = 0; jj < list->numneigh[i]; ++jj)
-        pairs_ += this->share(list->firstneigh[i][jj] & NEIGHMASK);
-    }
-    return pairs;
-  }
-
-  void treat_pair(int i, int j, int& flag, double* history) {
-    const std::size_t pair = next_pair_++;
-    const double travelled = particles_.travelled(i) + particles_.travelled(j);
-    const bool due = watch_.is_due(pair, travelled);
-    if (!due && watch_.is_empty(pair))
-      return;
-    const ellipsoid::Vector3 distance =
-        ellipsoid_host::vector(atom->x[j]) - ellipsoid_host::vector(atom->x[i]);
-    if (due) {
+  double treat_pair(int i, int j, std::size_t pair, double travelled, int& flag, double* history) {
+    const ellipsoid::Vector3 distance = this->centre_distance(i, j);
+    if (watch_.is_due(pair, travelled)) {
       const int tested = watch_.search(pair, travelled, particles_.pose(i), particles_.pose(j),
                                        distance, search_gap(i, j));
       counts_.values[ContactCounts::tested] += this->share(j) * tested;
       if (flag)
         recall_slots(i, j, pair, flag, history);
     }
+    if (watch_.is_empty(pair)) {
+      flag = 0;
+      return watch_.until(pair) - travelled;
+    }
     find_touching(i, j, pair, distance);
     update_slots(i, j, pair, flag, history);
     if (!found_.empty())
       treat_contacts(i, j, distance, flag, history);
+    return 0.0;
   }
 
   double search_gap(int i, int j) const {
@@ -131,13 +114,15 @@ private:
     counts_.values[ContactCounts::touching_pairs] += this->share(j);
     counts_.values[ContactCounts::contacts] += this->share(j) * contacts;
     flag = CONTACT_SURFACE_MODEL;
-    this->fill_pair(i, j, distance, flag);
+    const SurfacesIntersectData pair = this->pair_record(i, j, distance, flag);
     const double weight = multicontact_weight(rule_, static_cast<int>(found_.size()));
     for (std::size_t k = 0; k < found_.size(); ++k) {
       const ellipsoid::SphereContact& c = found_[k];
-      this->fill_contact(c.normal, c.point, c.overlap, c.reduced_radius, c.radius_i, c.radius_j,
-                         &history[slot_values_ * touching_[k]->slot]);
-      this->apply_contact(weight);
+      SurfacesIntersectData record = pair;
+      this->fill_contact(record, c.normal, c.point, c.overlap, c.reduced_radius, c.radius_i,
+                         c.radius_j, &history[slot_values_ * touching_[k]->slot]);
+      pair_->set_spheres(c.sphere_i, c.sphere_j, weight);
+      this->apply_contact(record, weight);
     }
   }
 

@@ -27,11 +27,28 @@ FixPropertyAtom* per_atom(Modify* modify, const char* name) {
       name, "property/atom", "scalar", 0, 0, "surface multisphere", false));
 }
 
+constexpr const char* property_names[2] = {"subspheres", "spacing"};
+
 } // namespace
 
+SubsphereProperties subsphere_properties(Modify* modify) {
+  return {per_atom(modify, property_names[0]), per_atom(modify, property_names[1])};
+}
+
+SubsphereProperties make_subsphere_properties(Modify* modify) {
+  for (const char* name : property_names) {
+    if (per_atom(modify, name))
+      continue;
+    const char* arguments[] = {name,  "all", "property/atom", name, "scalar",
+                               "yes", "yes", "no",            "0."};
+    modify->add_fix(9, const_cast<char**>(arguments));
+    per_atom(modify, name)->just_created = 0; // else the next run begins with default values
+  }
+  return subsphere_properties(modify);
+}
+
 void MultisphereParticles::find_properties() {
-  subspheres_ = per_atom(modify, "subspheres");
-  spacing_ = per_atom(modify, "spacing");
+  std::tie(subspheres_, spacing_) = std::tuple_cat(subsphere_properties(modify));
   if (!subspheres_)
     error->all(FLERR, "surface multisphere: no particle has sub-spheres; use keyword 'subspheres' of "
                       "fix particletemplate/ellipsoid, or fix property/atom subspheres");

@@ -7,6 +7,7 @@
 #include "multisphere_contact.h"
 #include "pointers.h"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <tuple>
@@ -14,9 +15,16 @@
 
 namespace LAMMPS_NS {
 class FixPropertyAtom;
+class Modify;
 }
 
 namespace ellipsoid_host {
+
+/// The per-atom fixes `subspheres` and `spacing`; null where missing.
+using SubsphereProperties = std::array<LAMMPS_NS::FixPropertyAtom*, 2>;
+SubsphereProperties subsphere_properties(LAMMPS_NS::Modify* modify);
+/// The same, made where missing. They go with the atoms to other ranks and restart files.
+SubsphereProperties make_subsphere_properties(LAMMPS_NS::Modify* modify);
 
 /// Which chain a particle has is stored per atom: fix property/atom `subspheres` (N) and `spacing`
 /// (the number of SphereSpacing; all 0 if that fix is missing). Particles of equal aspect ratio,

@@ -5,6 +5,7 @@
 #include "comm.h"
 #include "contact_models.h"
 #include "ellipsoid_host.h"
+#include "ellipsoid_models.h"
 #include "error.h"
 #include "force.h"
 #include "multisphere_contact_loop.h"
@@ -86,6 +87,9 @@ void PairGranEllipsoid::create(int64_t variant) {
     error->all(FLERR, "pair_style gran/ellipsoid needs 'surface smooth' or 'surface multisphere' "
                       "after the other models; add it");
   impl_ = creator(lmp, this, variant);
+  const std::string complaint = unsuitable_model(*impl_);
+  if (!complaint.empty())
+    error->all(FLERR, ("pair_style gran/ellipsoid: " + complaint).c_str());
 }
 
 void PairGranEllipsoid::repeat_history(int times) {
@@ -106,6 +110,9 @@ void PairGranEllipsoid::settings(int narg, char** arg) {
                       "and this package's, in the order model, tangential, cohesion, "
                       "rolling_friction, surface; correct the names and their order");
   create(variant);
+  const std::string complaint = unsuitable_setting(narg, arg);
+  if (!complaint.empty())
+    error->all(FLERR, ("pair_style gran/ellipsoid: " + complaint).c_str());
   impl_->settings(narg, arg, this);
 }
 
@@ -113,6 +120,10 @@ void PairGranEllipsoid::init_style() {
   if (!atom->superquadric_flag)
     error->all(FLERR, "pair_style gran/ellipsoid needs particles with shape: use atom_style "
                       "granular/ellipsoid");
+  constexpr int neighbor_style_multi = 2; // MULTI of the host's neighbor.cpp
+  if (neighbor->style == neighbor_style_multi)
+    error->all(FLERR, "pair_style gran/ellipsoid: with 'neighbor ... multi' the host makes no lists for "
+                      "granular pair styles; use 'bin' or 'nsq'");
   check_pages();
   PairGran::init_style();
   if (store_multicontact_data_)

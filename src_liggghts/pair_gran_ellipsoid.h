@@ -11,6 +11,7 @@ PairStyle(gran/ellipsoid,PairGranEllipsoid)
 #include "ellipsoid_contact_caller.h"
 #include "granular_pair_style.h"
 #include "pair_gran.h"
+#include "update.h"
 
 #include <vector>
 
@@ -49,6 +50,8 @@ public:
 
 protected:
   void compute_force(int eflag, int vflag, int addflag) override {
+    if (computeflag_)
+      begin_records(update->ntimestep);
     impl_->compute_force(this, eflag, vflag, addflag);
   }
 

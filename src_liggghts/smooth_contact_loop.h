@@ -7,8 +7,9 @@
 #ifndef SMOOTH_CONTACT_LOOP_H_
 #define SMOOTH_CONTACT_LOOP_H_
 
-#include "ellipsoid_contact.h"
+#include "contact_batch.h"
 #include "ellipsoid_contact_loop.h"
+#include "surface_paths.h"
 
 namespace LIGGGHTS {
 
@@ -30,46 +31,86 @@ private:
 
   const std::vector<ellipsoid::EllipsoidShape>* shapes_ = nullptr;
 
-  void prepare() { shapes_ = &pair_->update_shapes(); }
+  SurfacePaths paths_;
 
-  void treat_pair(int i, int j, int& flag, double* history) {
-    ellipsoid::Vector3 distance;
-    if (this->is_near(i, j, distance)) {
-      const ellipsoid::ContactGeometry geometry = search(i, j, distance, history);
-      if (geometry.status != ellipsoid::ContactStatus::separated) {
-        treat_contact(i, j, distance, geometry, flag, history);
-        return;
-      }
-    }
-    if (flag || history[was_touching] != 0.0) {
-      this->forget_contact(i, j, flag, history);
-      history[was_touching] = 0.0;
-      flag = 0;
-    }
+  bool prepare() {
+    shapes_ = &pair_->update_shapes();
+    return paths_.update(*this->atom, this->neighbor->ago == 0);
+  }
+  void begin_lists(std::size_t) {}
+  double travelled(int i) const { return paths_[i]; }
+
+  const ellipsoid::EllipsoidShape& shape(int i) const {
+    return (*shapes_)[static_cast<std::size_t>(i)];
   }
 
-  /// A touching pair starts from its last normal. All others start from scratch once a remembered
-  /// separating normal fails: what a new contact is does not depend on what happened before it, nor
-  /// on whether the run was interrupted.
-  ellipsoid::ContactGeometry search(int i, int j, const ellipsoid::Vector3& distance,
-                                    double* history) {
-    using namespace ellipsoid;
-    const EllipsoidShape& shape_i = (*shapes_)[static_cast<std::size_t>(i)];
-    const EllipsoidShape& shape_j = (*shapes_)[static_cast<std::size_t>(j)];
-    const Vector3 remembered = -ellipsoid_host::vector(&history[normal_x]);
-    const bool has_normal = dot(remembered, remembered) > 0.5; // unit vector, or zero
-    ContactGeometry geometry;
-    if (has_normal && history[was_touching] != 0.0) {
-      geometry = find_contact_from(remembered, shape_i, shape_j, distance);
-    } else {
-      if (has_normal && overlap_along(shape_i, shape_j, distance, remembered) < 0.0)
-        return geometry;
-      geometry = find_contact(shape_i, shape_j, distance);
+  /// A touching pair starts from its last normal, together with others. All others start from
+  /// scratch once a remembered separating normal fails: what a new contact is does not depend on
+  /// what happened before it, nor on whether the run was interrupted.
+  double treat_pair(int i, int j, std::size_t, double, int& flag, double* history) {
+    const ellipsoid::Vector3 distance = this->centre_distance(i, j);
+    const double bounding_gap = this->bounding_gap(i, j, distance);
+    if (bounding_gap > 0.0) {
+      forget(i, j, flag, history);
+      return bounding_gap;
     }
-    count(geometry, this->share(j));
+    const ellipsoid::Vector3 remembered = -ellipsoid_host::vector(&history[normal_x]);
+    const bool has_normal = dot(remembered, remembered) > 0.5; // unit vector, or zero
+    if (has_normal && history[was_touching] != 0.0) {
+      waiting_[batch_.size()] = {i, j, &flag, history, distance};
+      batch_.add(shape(i), shape(j), distance, remembered);
+      if (batch_.full())
+        finish();
+      return 0.0;
+    }
+    if (has_normal) {
+      const double gap = -overlap_along(shape(i), shape(j), distance, remembered);
+      if (gap > 0.0)
+        return gap;
+    }
+    ellipsoid::SearchOptions options;
+    options.goal = ellipsoid::SearchGoal::distance; // the farther apart, the longer the pair sleeps
+    return treat_result({i, j, &flag, history, distance},
+                        find_contact(shape(i), shape(j), distance, options));
+  }
+
+  /// The waiting pairs, in the order in which they came.
+  void finish() {
+    batch_.solve();
+    for (int k = 0; k < batch_.size(); ++k)
+      treat_result(waiting_[k], batch_.geometry(k));
+    batch_.clear();
+  }
+
+  struct PairAtHand {
+    int i, j;
+    int* flag;
+    double* history;
+    ellipsoid::Vector3 distance;
+  };
+
+  ellipsoid::ContactBatch batch_;
+  PairAtHand waiting_[ellipsoid::ContactBatch::capacity];
+
+  /// Returns the gap between the surfaces, 0 if they touch.
+  double treat_result(const PairAtHand& pair, const ellipsoid::ContactGeometry& geometry) {
+    count(geometry, this->share(pair.j));
     if (contact_.computeflag)
-      ellipsoid_host::store(-geometry.normal, &history[normal_x]);
-    return geometry;
+      ellipsoid_host::store(-geometry.normal, &pair.history[normal_x]);
+    if (geometry.status == ellipsoid::ContactStatus::separated) {
+      forget(pair.i, pair.j, *pair.flag, pair.history);
+      return -geometry.overlap;
+    }
+    treat_contact(pair, geometry);
+    return 0.0;
+  }
+
+  void forget(int i, int j, int& flag, double* history) {
+    if (!flag && history[was_touching] == 0.0)
+      return;
+    this->forget_contact(i, j, flag, history);
+    history[was_touching] = 0.0;
+    flag = 0;
   }
 
   void count(const ellipsoid::ContactGeometry& geometry, double share) {
@@ -83,18 +124,17 @@ private:
     }
   }
 
-  void treat_contact(int i, int j, const ellipsoid::Vector3& distance,
-                     const ellipsoid::ContactGeometry& geometry, int& flag, double* history) {
+  void treat_contact(const PairAtHand& pair, const ellipsoid::ContactGeometry& geometry) {
     // local spheres with the Gaussian radii of curvature, scaled so that their R is that of (19)
     const double r_i = geometry.curvature_radius_i, r_j = geometry.curvature_radius_j;
     const double scale = geometry.reduced_radius * (r_i + r_j) / (r_i * r_j);
-    this->fill_pair(i, j, distance, flag);
-    this->fill_contact(geometry.normal, geometry.point, geometry.overlap, geometry.reduced_radius,
-                       scale * r_i, scale * r_j, history);
+    SurfacesIntersectData c = this->pair_record(pair.i, pair.j, pair.distance, *pair.flag);
+    this->fill_contact(c, geometry.normal, geometry.point, geometry.overlap, geometry.reduced_radius,
+                       scale * r_i, scale * r_j, pair.history);
     if (contact_.computeflag)
-      history[was_touching] = 1.0;
-    flag |= CONTACT_SURFACE_MODEL;
-    this->apply_contact();
+      pair.history[was_touching] = 1.0;
+    *pair.flag |= CONTACT_SURFACE_MODEL;
+    this->apply_contact(c);
   }
 };
 

@@ -13,7 +13,18 @@ struct BedOptions {
   std::string up = "z", profile;
   std::vector<double> box, cylinder;
   int planes = 200, slices = 10;
+  bool is_below_surface = false;
+  double column_width = 0.25; ///< of the free surface, in b
 };
+
+/// The free surface, if the region ends there.
+BedSurface surface_of(const BedOptions& options, const ParticleSet& set, const BedRegion& region) {
+  if (!options.is_below_surface)
+    return {};
+  const auto members = all_members(set);
+  return HeightMap(set, members, options.column_width * mean_smallest_axis(set, members),
+                   region.z0);
+}
 
 BedRegion region_of(const BedOptions& options) {
   BedRegion region;
@@ -30,8 +41,11 @@ BedRegion region_of(const BedOptions& options) {
 }
 
 Row bed_row(const BedOptions& options, const ChosenFrame& chosen) {
-  const BedPorosity p =
-      bed_porosity(upright(chosen.set, options.up), region_of(options), options.planes);
+  const ParticleSet set = upright(chosen.set, options.up);
+  const BedRegion region = region_of(options);
+  const BedPorosity p = bed_porosity(set, region, options.planes, surface_of(options, set, region));
+  if (!(p.total_volume > 0.0))
+    throw InputError("the region has no volume below the free surface: check its bounds and --up");
   Row row = frame_row(chosen);
   row.push_back({"porosity", "porosity", "", p.porosity});
   row.push_back({"porosity_error", "error of the integration", "", p.error});
@@ -47,9 +61,9 @@ std::vector<Row> profile_rows(const BedOptions& options, const ChosenFrame& chos
   if (is_radial && region.shape != BedShape::cylinder)
     throw InputError("a radial profile needs --cylinder");
   std::vector<Row> rows;
-  for (const BedSlice& slice : is_radial
-                                   ? radial_profile(set, region, options.slices, options.planes)
-                                   : height_profile(set, region, options.slices, options.planes)) {
+  const auto profile = is_radial ? radial_profile : height_profile;
+  for (const BedSlice& slice :
+       profile(set, region, options.slices, options.planes, surface_of(options, set, region))) {
     rows.push_back(frame_row(chosen));
     rows.back().push_back({"begin_m", is_radial ? "from radius" : "from height", "m", slice.begin});
     rows.back().push_back({"end_m", is_radial ? "to radius" : "to height", "m", slice.end});
@@ -83,7 +97,12 @@ void add_bed_command(CLI::App& program, int& exit_code) {
       "in planes of constant height, each point counted once, summed over --planes planes in the "
       "middles of equal layers. The stated error is the difference to the same sum over half of "
       "the planes (the true one is smaller, it falls with the square of the planes' distance). "
-      "Profiles: --profile height (layers) or radius (rings of a cylinder).");
+      "Profiles: --profile height (layers) or radius (rings of a cylinder).\n"
+      "--below-surface: the region ends at the free surface z_max(x, y) of the true outlines, "
+      "taken "
+      "at the middles of square columns 0.25 b wide (--columns) as for `heap`; V is then the "
+      "volume "
+      "between z0 and the lower one of surface and z1.");
   add_frame_options(*command, options->frames);
   add_up_option(*command, options->up);
   auto* box = command->add_option("--box", options->box, "x0 x1 y0 y1 z0 z1")->expected(6);
@@ -94,6 +113,11 @@ void add_bed_command(CLI::App& program, int& exit_code) {
       ->check(CLI::IsMember({"height", "radius"}));
   command->add_option("--slices", options->slices, "layers or rings of the profile")
       ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command->add_flag("--below-surface", options->is_below_surface,
+                    "the region ends at the free surface of the bed");
+  command->add_option("--columns", options->column_width, "width of the surface's columns, in b")
+      ->check(CLI::Range(0.01, 10.0))
       ->capture_default_str();
   command->add_option("--planes", options->planes, "planes of the integration")
       ->check(CLI::Range(8, 100000))

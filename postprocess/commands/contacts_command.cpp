@@ -18,6 +18,7 @@ struct ContactsOptions {
   double gap = 0.0;
   int bins = 18;
   std::vector<std::string> normal_columns, force_columns;
+  std::string list; ///< path of the table of all contacts; empty: not wanted
 };
 
 void append_fabric(Row& row, const std::vector<Vector3>& normals, int bins) {
@@ -32,16 +33,56 @@ void append_fabric(Row& row, const std::vector<Vector3>& normals, int bins) {
   append_rose(row, angle_rose(normals, bins));
 }
 
-/// From positions, with the engine's kernel.
-Row geometry_row(const ContactsOptions& options, const ChosenFrame& chosen) {
+/// One row per contact.
+std::vector<Row> list_rows(const ChosenFrame& chosen, const ContactNetwork& network) {
+  std::vector<Row> rows;
+  for (const PairContact& pair : network.pairs)
+    for (std::size_t k = pair.first; k < pair.first + pair.count; ++k) {
+      const Contact& contact = network.contacts[k];
+      Row row = frame_row(chosen);
+      row.push_back({"id_1", "id 1", "", chosen.set.particles[pair.i].id});
+      row.push_back({"id_2", "id 2", "", chosen.set.particles[pair.j].id});
+      const auto append = [&row](const std::string& key, const std::string& unit,
+                                 const Vector3& v) {
+        const std::string ending = unit.empty() ? "" : "_" + unit;
+        row.push_back({key + "_x" + ending, key + ": x", unit, v.x});
+        row.push_back({key + "_y" + ending, key + ": y", unit, v.y});
+        row.push_back({key + "_z" + ending, key + ": z", unit, v.z});
+      };
+      append("point", "m", contact.point);
+      append("normal", "", contact.normal);
+      row.push_back({"overlap_m", "overlap", "m", contact.overlap});
+      rows.push_back(std::move(row));
+    }
+  return rows;
+}
+
+/// From positions, with the engine's kernel; all contacts are appended to `list`.
+Row geometry_row(const ContactsOptions& options, const ChosenFrame& chosen, Table& list) {
   const double gap = options.gap * mean_smallest_axis(chosen.set, all_members(chosen.set));
   warn_of_digits(chosen);
+  const ContactNetwork network = find_contacts(chosen.set, gap);
   std::vector<Vector3> normals;
-  for (const Contact& contact : find_contacts(chosen.set, gap).contacts)
+  for (const Contact& contact : network.contacts)
     normals.push_back(contact.normal);
+  if (!options.list.empty())
+    for (Row& row : list_rows(chosen, network))
+      list.rows.push_back(std::move(row));
   Row row = frame_row(chosen);
   append_fabric(row, normals, options.bins);
   return row;
+}
+
+int run_geometry(const ContactsOptions& options) {
+  FrameOptions frames = options.frames;
+  if (!options.list.empty())
+    frames.threads = 1; // the list grows in the order of the frames
+  Table list{"All contacts", {}};
+  const int code = run_pile_command(
+      frames, "Contacts", [&](const ChosenFrame& f) { return geometry_row(options, f, list); });
+  if (!options.list.empty())
+    write_text(options.list, as_csv(list));
+  return code;
 }
 
 /// From a dump local of the engine.
@@ -97,8 +138,7 @@ void add_contacts_command(CLI::App& program, int& exit_code) {
       "contacts", "fabric tensor, rose of contact normals, distribution of forces");
   command->footer(
       "Fabric tensor: <n n> over contact normals n (eigenvalues add up to 1; 1/3 each: isotropic "
-      "in "
-      "space). Without --local the contacts are recomputed from positions with the engine's "
+      "in space). Without --local the contacts are recomputed from positions with the engine's "
       "kernel. With --local the files are dump local lists, the last frame is used, and columns "
       "are named: "
       "--normal-columns NX NY NZ, --force-columns FX FY FZ. Strong forces: above the mean force "
@@ -111,16 +151,16 @@ void add_contacts_command(CLI::App& program, int& exit_code) {
   command->add_option("--contact-gap", options->gap, "particles this close (in b) touch")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
+  command->add_option(
+      "--list", options->list,
+      "write all recomputed contacts as CSV (ids, point, normal, overlap), \"-\": to "
+      "standard output");
   command->add_option("--bins", options->bins, "bins of the rose")
       ->check(CLI::Range(1, 360))
       ->capture_default_str();
   command->callback([options, &exit_code] {
     try {
-      exit_code = options->is_local
-                      ? run_local(*options)
-                      : run_pile_command(options->frames, "Contacts", [&](const ChosenFrame& f) {
-                          return geometry_row(*options, f);
-                        });
+      exit_code = options->is_local ? run_local(*options) : run_geometry(*options);
     } catch (const InputError& error) {
       report_error(error.what());
       exit_code = exit_bad_data;

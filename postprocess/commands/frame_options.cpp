@@ -2,6 +2,7 @@
 #include "frame_options.h"
 
 #include "frame_stream.h"
+#include "worker_pool.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -23,32 +24,46 @@ std::string check_frames(const std::string& word) {
   return fmt::format("--frame \"{}\": allowed are last, first, all, or a time step", word);
 }
 
-/// The frames of one run that the options choose.
+/// What became of a frame: an error message, or what to do with its measures.
+struct Outcome {
+  std::string error;
+  Collect collect;
+};
+
+/// The frames of one run that the options choose, several at a time.
 class FrameChooser {
  public:
-  FrameChooser(const FrameOptions& options, std::string run,
-               const std::function<void(const ChosenFrame&)>& visit)
-      : m_options(options), m_run(std::move(run)), m_visit(visit) {}
+  FrameChooser(const FrameOptions& options, std::string run, WorkerPool* workers,
+               unsigned most_frames, const std::function<Collect(const ChosenFrame&)>& measure)
+      : m_options(options), m_run(std::move(run)), m_workers(workers), m_most_frames(most_frames),
+        m_measure(measure) {}
+  ~FrameChooser() { // threads may still look at it when an exception passes
+    for (const Waiting& waiting : m_waiting)
+      waiting.outcome.wait();
+  }
+  FrameChooser(const FrameChooser&) = delete;
+  FrameChooser& operator=(const FrameChooser&) = delete;
 
   /// @return exit code
   int read(const std::vector<std::string>& files) {
-    int code = exit_good;
     try {
       FrameStream stream(files);
       while (!m_is_done && stream.next(m_frame))
         take();
     } catch (const InputError& error) {
+      collect_all();
       report_error(error.what());
-      code = exit_bad_data;
+      m_code = exit_bad_data;
     }
     if (m_options.frames == "last" && m_has_last)
-      code = std::max(code, hand_over(m_last));
-    if (m_visited == 0 && code == exit_good) {
+      hand_over(m_last);
+    collect_all();
+    if (m_chosen == 0 && m_code == exit_good) {
       report_error(fmt::format("{}: no frame {}", m_run,
                                m_options.frames == "all" ? "in it" : m_options.frames));
-      code = exit_bad_data;
+      m_code = exit_bad_data;
     }
-    return std::max(code, m_visit_code);
+    return m_code;
   }
 
  private:
@@ -57,36 +72,79 @@ class FrameChooser {
       std::swap(m_frame, m_last);
       m_has_last = true;
     } else if (m_options.frames == "all") {
-      m_visit_code = std::max(m_visit_code, hand_over(m_frame));
+      hand_over(m_frame);
     } else if (m_options.frames == "first" ||
                fmt::format("{}", m_frame.timestep) == m_options.frames) {
-      m_visit_code = std::max(m_visit_code, hand_over(m_frame));
+      hand_over(m_frame);
       m_is_done = true;
     }
   }
 
-  int hand_over(const Frame& frame) {
-    ++m_visited;
+  /// Measures a frame, now or in a thread.
+  void hand_over(Frame& frame) {
+    constexpr std::size_t most_rows = 1000000; // in memory at the same time, or a single frame
+    ++m_chosen;
+    if (!m_workers) {
+      finish(outcome_of(frame));
+      return;
+    }
+    while (!m_waiting.empty() &&
+           (m_waiting.size() >= m_most_frames || m_rows_waiting + frame.rows > most_rows))
+      collect_oldest();
+    m_rows_waiting += frame.rows;
+    auto own = std::make_shared<Frame>(std::move(frame));
+    m_waiting.push_back(
+        {m_workers->submit<Outcome>([this, own] { return outcome_of(*own); }), own->rows});
+  }
+
+  Outcome outcome_of(const Frame& frame) const {
     try {
-      m_visit({m_run, frame, particles_of(frame, m_options.particles)});
+      return {"", m_measure({m_run, frame, particles_of(frame, m_options.particles)})};
     } catch (const InputError& error) {
       const std::string what = error.what();
       const bool names_place = what.find(frame.place.file) != std::string::npos;
-      report_error(names_place ? what
-                               : fmt::format("{}: frame {} (time step {}): {}", frame.place.file,
-                                             frame.place.frame, frame.timestep, what));
-      return exit_bad_data;
+      return {names_place ? what
+                          : fmt::format("{}: frame {} (time step {}): {}", frame.place.file,
+                                        frame.place.frame, frame.timestep, what),
+              {}};
     }
-    return exit_good;
   }
+
+  void finish(const Outcome& outcome) {
+    if (outcome.collect)
+      outcome.collect();
+    if (outcome.error.empty())
+      return;
+    report_error(outcome.error);
+    m_code = exit_bad_data;
+  }
+
+  void collect_oldest() {
+    m_rows_waiting -= m_waiting.front().rows;
+    std::future<Outcome> oldest = std::move(m_waiting.front().outcome);
+    m_waiting.pop_front();
+    finish(oldest.get());
+  }
+  void collect_all() {
+    while (!m_waiting.empty())
+      collect_oldest();
+  }
+
+  struct Waiting {
+    std::future<Outcome> outcome;
+    std::size_t rows;
+  };
 
   const FrameOptions& m_options;
   std::string m_run;
-  const std::function<void(const ChosenFrame&)>& m_visit;
+  WorkerPool* m_workers; ///< none: frames are measured one after the other
+  unsigned m_most_frames;
+  const std::function<Collect(const ChosenFrame&)>& m_measure;
   Frame m_frame, m_last;
   bool m_has_last = false, m_is_done = false;
-  std::size_t m_visited = 0;
-  int m_visit_code = exit_good;
+  std::size_t m_chosen = 0, m_rows_waiting = 0;
+  std::deque<Waiting> m_waiting; ///< frames that are being measured, oldest first
+  int m_code = exit_good;
 };
 
 } // namespace
@@ -138,6 +196,11 @@ void add_frame_options(CLI::App& command, FrameOptions& options) {
                   "factor on all sizes of the file (0.5 where it holds diameters)")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  command
+      .add_option("--threads", options.threads,
+                  "frames measured at the same time with --frame all (0: one per processor)")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
   add_output_options(command, options);
 }
 
@@ -184,17 +247,34 @@ PileOptions plane_settings(const PlaneOptions& options) {
   return pile;
 }
 
-int for_chosen_frames(const FrameOptions& options,
-                      const std::function<void(const ChosenFrame&)>& visit) {
+int for_measured_frames(const FrameOptions& options,
+                        const std::function<Collect(const ChosenFrame&)>& measure) {
+  const unsigned threads =
+      options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
   int code = exit_good;
   try {
+    std::unique_ptr<WorkerPool> workers;
+    if (threads > 1 && options.frames == "all")
+      workers = std::make_unique<WorkerPool>(threads);
     for (const Run& run : runs_of(options.runs, grouping_of(options)))
-      code = std::max(code, FrameChooser(options, run.name, visit).read(run.files));
+      code = std::max(
+          code,
+          FrameChooser(options, run.name, workers.get(), 2 * threads, measure).read(run.files));
   } catch (const InputError& error) {
     report_error(error.what());
     code = exit_bad_data;
   }
   return code;
+}
+
+int for_chosen_frames(const FrameOptions& options,
+                      const std::function<void(const ChosenFrame&)>& visit) {
+  FrameOptions one_by_one = options;
+  one_by_one.threads = 1;
+  return for_measured_frames(one_by_one, [&visit](const ChosenFrame& chosen) {
+    visit(chosen);
+    return Collect();
+  });
 }
 
 Row frame_row(const ChosenFrame& chosen) {

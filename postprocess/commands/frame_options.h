@@ -23,6 +23,7 @@ struct FrameOptions {
   std::string spacing_word = "paper";
   std::string csv, json; ///< paths; empty: not wanted
   bool quiet = false;    ///< no table for people
+  unsigned threads = 0;  ///< frames measured at the same time; 0: as many as there are processors
 };
 
 void add_frame_options(CLI::App& command, FrameOptions& options);
@@ -52,6 +53,15 @@ struct ChosenFrame {
 /// @return exit code
 int for_chosen_frames(const FrameOptions& options,
                       const std::function<void(const ChosenFrame&)>& visit);
+
+/// What remains to be done with a measured frame, in the order of the frames.
+using Collect = std::function<void()>;
+
+/// The same for several frames at a time: `measure` runs in threads (it must not share data that
+/// changes), what it gives is called in the order of the frames.
+/// @return exit code
+int for_measured_frames(const FrameOptions& options,
+                        const std::function<Collect(const ChosenFrame&)>& measure);
 
 /// Columns that every row of a table on frames begins with: run and time step.
 Row frame_row(const ChosenFrame& chosen);

@@ -35,6 +35,8 @@ void add_pile_command(CLI::App& program, int& exit_code) {
   command->add_option("--picture", options->picture,
                       "draw the pile as well: a name that ends in .svg or .png, see render");
   command->callback([options, &exit_code] {
+    if (!options->picture.empty())
+      options->frames.threads = 1; // pictures may have the same name: the last frame's remains
     exit_code = run_pile_command(options->frames, "Pile",
                                  [&](const ChosenFrame& f) { return pile_row(*options, f); });
   });

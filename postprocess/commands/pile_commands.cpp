@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <mutex>
 #include <set>
 
 namespace ellipsoid::post {
@@ -19,8 +20,9 @@ const std::vector<std::string> summarised = {"repose_angle_deg", "porosity", "zp
 int run_pile_command(const FrameOptions& options, const std::string& title,
                      const std::function<Row(const ChosenFrame&)>& make_row) {
   Table table{title, {}};
-  int code = for_chosen_frames(
-      options, [&](const ChosenFrame& chosen) { table.rows.push_back(make_row(chosen)); });
+  int code = for_measured_frames(options, [&](const ChosenFrame& chosen) {
+    return [&table, row = make_row(chosen)] { table.rows.push_back(row); };
+  });
   try {
     write_table(options, table);
     if (prints_text(options) && table.rows.size() > 1 && options.frames != "all")
@@ -34,8 +36,10 @@ int run_pile_command(const FrameOptions& options, const std::string& title,
 }
 
 void warn_of_digits(const ChosenFrame& chosen) {
+  static std::mutex mutex;
   static std::set<std::string> warned_files; // once per file is enough
   const std::string warning = digits_warning(chosen.frame, chosen.set);
+  const std::lock_guard<std::mutex> lock(mutex);
   if (!warning.empty() && warned_files.insert(chosen.frame.place.file).second)
     report_warning(warning);
 }

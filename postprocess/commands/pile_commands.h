@@ -5,8 +5,8 @@
 
 namespace ellipsoid::post {
 
-/// Makes one row per chosen frame and writes the table; rows of good frames are written even if
-/// others fail.
+/// Makes one row per chosen frame (in threads, see for_measured_frames) and writes the table; rows
+/// of good frames are written even if others fail.
 /// @return exit code
 int run_pile_command(const FrameOptions& options, const std::string& title,
                      const std::function<Row(const ChosenFrame&)>& make_row);

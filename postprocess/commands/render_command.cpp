@@ -1,8 +1,10 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "frame_stream.h"
 #include "picture_options.h"
 #include "pile_analysis.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <memory>
 
 namespace ellipsoid::post {
@@ -15,7 +17,22 @@ struct RenderOptions {
   std::vector<double> view, colour_range;
   std::string output;
   bool no_fit = false;
+  std::vector<std::string> contact_files;
+  ContactColumns contact_columns;
 };
+
+/// The frame of a contact list at one time step.
+Frame contact_list(const std::vector<std::string>& files, std::int64_t timestep) {
+  for (const Run& run : runs_of(files, RunGrouping::one_run)) {
+    FrameStream stream(run.files);
+    Frame frame;
+    while (stream.next(frame))
+      if (frame.timestep == timestep)
+        return frame;
+  }
+  throw InputError(fmt::format("{}: no contacts of time step {}; dump both at the same steps",
+                               fmt::join(files, " "), timestep));
+}
 
 void render(const RenderOptions& options, const ChosenFrame& chosen) {
   const PileOptions settings = plane_settings(options.plane);
@@ -28,7 +45,27 @@ void render(const RenderOptions& options, const ChosenFrame& chosen) {
     picture.colour_low = options.colour_range[0];
     picture.colour_high = options.colour_range[1];
   }
+  if (!options.contact_files.empty())
+    picture.force_chains = force_links(contact_list(options.contact_files, chosen.frame.timestep),
+                                       options.contact_columns, chosen.set);
   write_pile_picture(options.output, chosen, pile, settings, try_repose(pile, settings), picture);
+}
+
+void add_force_chain_options(CLI::App& command, RenderOptions& options) {
+  auto* contacts = command.add_option(
+      "--contacts", options.contact_files,
+      "contact lists (dump local) of the same time steps: draws the force chains");
+  auto* ids = command.add_option("--id-columns", options.contact_columns.ids,
+                                 "of the contact list: ids of the two particles");
+  auto* forces = command.add_option("--force-columns", options.contact_columns.forces,
+                                    "of the contact list: the force");
+  auto* normals = command.add_option("--normal-columns", options.contact_columns.normals,
+                                     "of the contact list: the normal; then only the normal part "
+                                     "of the force is drawn");
+  ids->expected(2)->needs(contacts);
+  forces->expected(3)->needs(contacts);
+  normals->expected(3)->needs(contacts);
+  contacts->needs(ids)->needs(forces);
 }
 
 } // namespace
@@ -51,9 +88,13 @@ void write_pile_picture(const std::string& path, const ChosenFrame& chosen, cons
 void add_render_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = program.add_subcommand("render", "picture of an in-plane pile, SVG or PNG");
-  command->footer("Outlines of ellipses or sub-spheres, wall and floor, the fitted line A-B with "
-                  "the angle of repose (see repose --help), a scale bar. A film: --frame all "
-                  "--output 'film_*.png' (the asterisk becomes the time step).");
+  command->footer(
+      "Outlines of ellipses or sub-spheres, wall and floor, the fitted line A-B with "
+      "the angle of repose (see repose --help), a scale bar. A film: --frame all "
+      "--output 'film_*.png' (the asterisk becomes the time step).\n"
+      "Force chains (--contacts): a line between the centres of each touching pair, its "
+      "width proportional to the normal force (to the force without --normal-columns), "
+      "summed over the pair's contacts.");
   add_frame_options(*command, options->frames);
   add_plane_options(*command, options->plane);
   command->add_option("--output,-o", options->output, "file name, ends in .svg or .png")
@@ -70,6 +111,7 @@ void add_render_command(CLI::App& program, int& exit_code) {
   command->add_flag("--no-fit", options->no_fit, "without the line A-B");
   command->add_flag("--surface", options->picture.show_surface, "draw the free surface y_max(x)");
   command->add_flag("--discs", options->picture.show_discs, "draw inner outlines of sub-spheres");
+  add_force_chain_options(*command, *options);
   command->callback([options, &exit_code] {
     exit_code =
         for_chosen_frames(options->frames, [&](const ChosenFrame& f) { render(*options, f); });

@@ -56,10 +56,13 @@ struct Findings {
 };
 
 Row log_row(const std::string& run, const RunLog& log) {
-  Row row = {{"run", "run", "", run},
-             {"version", "version", "", log.version},
-             {"ranks", "ranks", "", static_cast<std::int64_t>(log.ranks)},
-             {"loop_time_s", "run time", "s", log.loop_time}};
+  Row row = {{"run", "run", "", run}};
+  if (!log.version.empty())
+    row.push_back({"version", "version", "", log.version});
+  if (log.ranks > 0) { // a run that has not ended says nothing of its time
+    row.push_back({"ranks", "ranks", "", static_cast<std::int64_t>(log.ranks)});
+    row.push_back({"loop_time_s", "run time", "s", log.loop_time});
+  }
   for (const auto& [name, value] : log.variables)
     row.push_back({"variable_" + name, name, "", value});
   return row;

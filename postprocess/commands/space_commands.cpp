@@ -30,6 +30,9 @@ void render_space(const RenderSpaceOptions& options, const ChosenFrame& chosen) 
   write_text(name,
              png_bytes(draw_space(upright(chosen.set, options.up), colours.colours, options.view)));
   fmt::print(stderr, "picture: {}\n", name);
+  if (colours.has_scale)
+    fmt::print(stderr, "colours: {} from {:.4g} to {:.4g}\n", colours.label, colours.low,
+               colours.high);
 }
 
 void append_body(SurfaceMesh& to, const SurfaceMesh& body, const Vector3& centre,

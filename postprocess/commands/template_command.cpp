@@ -15,7 +15,7 @@ struct TemplateOptions {
   std::vector<double> aspect_ratios = {2.7 / 1.15};
   std::vector<int> counts = {3, 5, 7, 9, 11, 13, 15, 17};
   std::string spacing_word = "paper";
-  double tolerance = 0.0;
+  double tolerance = 0.0, compared_tolerance = 0.0;
   std::string multisphere, molecule, spheres, mesh, stl;
 };
 
@@ -53,6 +53,23 @@ Table geometry_table(const TemplateOptions& options, SphereSpacing spacing) {
   return table;
 }
 
+/// The smallest N that each spacing needs for the same tolerance.
+Table comparison_table(const TemplateOptions& options) {
+  Table table{"Sub-spheres needed", {}};
+  const auto integer = [](int value) { return static_cast<std::int64_t>(value); };
+  for (const SpacingComparison& row :
+       compare_spacings(options.aspect_ratios, options.compared_tolerance))
+    table.rows.push_back(
+        {{"aspect_ratio", "a/b", "", row.aspect_ratio},
+         {"measure", "measure", "", std::string(word_of(row.what))},
+         {"paper", "paper", "", integer(row.paper)},
+         {"minimax_outline", "minimax_outline", "", integer(row.minimax_outline)},
+         {"minimax_outline_saved", "saved", "", integer(row.paper - row.minimax_outline)},
+         {"minimax_area", "minimax_area", "", integer(row.minimax_area)},
+         {"minimax_area_saved", "saved", "", integer(row.paper - row.minimax_area)}});
+  return table;
+}
+
 void write_files(const TemplateOptions& options, SphereSpacing spacing) {
   const std::vector<const std::string*> files = {&options.multisphere, &options.molecule,
                                                  &options.spheres, &options.mesh, &options.stl};
@@ -78,6 +95,10 @@ void write_files(const TemplateOptions& options, SphereSpacing spacing) {
 }
 
 int run(TemplateOptions& options) {
+  if (options.compared_tolerance > 0.0) {
+    write_table(options.output, comparison_table(options));
+    return exit_good;
+  }
   const SphereSpacing spacing = sphere_spacing_from_word(options.spacing_word);
   if (options.tolerance > 0.0) {
     options.counts.clear();
@@ -111,12 +132,19 @@ void add_template_command(CLI::App& program, int& exit_code) {
       ->add_option("--tolerance", options->tolerance,
                    "instead of --subspheres: the smallest N within this share of the area")
       ->check(CLI::Range(1e-6, 0.5));
+  CLI::Option* compare = command->add_option(
+      "--compare-spacings", options->compared_tolerance,
+      "table of the smallest N of each spacing within this share of area, volume and outline");
+  compare->check(CLI::Range(1e-6, 0.5));
   command->add_option("--multisphere", options->multisphere,
                       "write x y z r lines for the host's fix particletemplate/multisphere");
   command->add_option("--molecule", options->molecule, "write a LAMMPS molecule file");
   command->add_option("--spheres", options->spheres, "write the spheres as CSV");
   command->add_option("--vtp", options->mesh, "write the surface for ParaView");
   command->add_option("--stl", options->stl, "write the surface as STL");
+  for (const char* other : {"--b", "--subspheres", "--spacing", "--tolerance", "--multisphere",
+                            "--molecule", "--spheres", "--vtp", "--stl"})
+    compare->excludes(command->get_option(other));
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] {
     try {

@@ -89,6 +89,8 @@ void draw_axes(Canvas& canvas, const ChartFrame& f, const Chart& chart) {
   text.anchor = Anchor::middle;
   const auto ticks = chart.x_ticks.empty() ? round_ticks(f.x.low, f.x.high, 7) : chart.x_ticks;
   for (const double x : ticks) {
+    if (x < f.x.low || x > f.x.high)
+      continue;
     const PixelPoint p = f.at(x, f.y.low);
     canvas.line(p, {p.x, p.y + 6.0 * f.unit}, axis);
     canvas.text({p.x, p.y + 24.0 * f.unit}, fmt::format("{:.6g}", x), text);

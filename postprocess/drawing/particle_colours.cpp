@@ -52,7 +52,7 @@ ParticleColours particle_colours(const Frame& frame, const ParticleSet& set, con
                  : by == "speed" ? "speed [m/s]"
                                  : by;
   const auto range = std::minmax_element(values.begin(), values.end());
-  result.low = low.value_or(result.is_cyclic ? 0.0 : *range.first);
+  result.low = low.value_or(result.is_cyclic || by == "speed" ? 0.0 : *range.first);
   result.high = high.value_or(result.is_cyclic ? 180.0 : *range.second);
   for (const double value : values)
     result.colours.push_back(scale_colour(result, value));

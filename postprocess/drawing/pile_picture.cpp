@@ -12,7 +12,8 @@ namespace ellipsoid::post {
 namespace {
 
 constexpr double degrees = 180.0 / 3.141592653589793238462643;
-constexpr Colour ink{0.13, 0.15, 0.18}, red{0.80, 0.10, 0.10}, grey{0.45, 0.47, 0.50};
+constexpr Colour ink{0.13, 0.15, 0.18}, red{0.80, 0.10, 0.10}, grey{0.45, 0.47, 0.50},
+    pale{0.93, 0.94, 0.95};
 
 /// Margins around the drawn plane (pixels at a width of 1600; they scale with the width).
 constexpr double side_margin = 60.0, top_margin = 70.0, bottom_margin = 110.0, wall_width = 16.0;
@@ -37,6 +38,17 @@ PileView whole_pile(const ParticleSet& set, const Pile& pile, const PileOptions&
   for (const Particle& p : set.particles)
     if (p.centre.x + room > view.right && p.centre.x + room < farthest)
       view.right = p.centre.x + room;
+  // and whole or not at all
+  for (bool is_cut = true; is_cut;) {
+    is_cut = false;
+    for (const Particle& p : set.particles) {
+      const double begin = p.centre.x - p.largest_axis();
+      if (begin > pile.right && begin < view.right && p.centre.x + p.largest_axis() > view.right) {
+        view.right = begin;
+        is_cut = true;
+      }
+    }
+  }
   return view;
 }
 
@@ -108,8 +120,11 @@ void draw_fit(Canvas& canvas, const Projection& to, const PileOptions& options,
   const double slope = angle.line.slope;
   const Point foot((options.floor - angle.line.intercept) / slope, options.floor);
   const double wall = options.wall.value_or(std::min(angle.a.x(), angle.b.x()));
+  canvas.begin_clip(to.at({to.view.left, to.view.top}), to.scale * (to.view.right - to.view.left),
+                    to.scale * (to.view.top - to.view.bottom));
   canvas.line(to.at(foot), to.at({wall, angle.line.intercept + slope * wall}), dashed);
   canvas.line(to.at(angle.a), to.at(angle.b), thick);
+  canvas.end_clip();
   TextStyle text;
   text.size = 26.0 * to.unit;
   text.colour = red;
@@ -171,6 +186,45 @@ void draw_colour_bar(Canvas& canvas, const Projection& to, const ParticleColours
   canvas.text({0.5 * (left + right), baseline}, colours.label, text);
 }
 
+double largest_force(const std::vector<ForceLink>& links) {
+  double largest = 0.0;
+  for (const ForceLink& link : links)
+    largest = std::max(largest, link.force);
+  return largest;
+}
+
+/// Width of the line of the largest force (pixels).
+double widest_link(const Projection& to, const Pile& pile) {
+  return std::max(3.0 * to.unit, 0.7 * pile.mean_b * to.scale);
+}
+
+/// Lines between the centres of touching particles, as wide as the force is large; weak ones first.
+void draw_force_chains(Canvas& canvas, const Projection& to, const Pile& pile,
+                       std::vector<ForceLink> links) {
+  constexpr double narrowest = 0.3; // pixels that still can be seen
+  std::sort(links.begin(), links.end(),
+            [](const ForceLink& p, const ForceLink& q) { return p.force < q.force; });
+  Style line;
+  line.line = red;
+  for (const ForceLink& link : links) {
+    line.line_width = std::max(narrowest, widest_link(to, pile) * link.force / links.back().force);
+    canvas.line(to.at({link.begin.x, link.begin.y}), to.at({link.end.x, link.end.y}), line);
+  }
+}
+
+/// The line of the largest force and its value (forces of the file taken as newton).
+void draw_force_scale(Canvas& canvas, const Projection& to, const Pile& pile,
+                      const std::vector<ForceLink>& links, double x, double y) {
+  Style line;
+  line.line = red;
+  line.line_width = widest_link(to, pile);
+  canvas.line({x, y}, {x + 80.0 * to.unit, y}, line);
+  TextStyle text;
+  text.size = 24.0 * to.unit;
+  canvas.text({x + 92.0 * to.unit, y + 8.0 * to.unit},
+              fmt::format("{:.3g} N, the largest force", largest_force(links)), text);
+}
+
 Projection projection(const PileView& view, int width) {
   Projection to;
   to.view = view;
@@ -198,18 +252,23 @@ std::string draw_pile(PictureFormat format, const Frame& frame, const ParticleSe
                                  "smaller --width or a --view",
                                  height, most_pixels));
   const auto canvas = make_canvas(format, options.width, static_cast<int>(height));
-  const ParticleColours colours =
+  ParticleColours colours =
       particle_colours(frame, set, options.colour_by, options.colour_low, options.colour_high);
+  if (!options.force_chains.empty() && options.colour_by.empty())
+    colours.colours.assign(set.particles.size(), pale);
   canvas->begin_clip({to.left, to.top}, options.width - 2.0 * to.left, plane_height);
   draw_particles(*canvas, to, set, pile, pile_options, colours, options);
   if (options.show_surface)
     draw_surface(*canvas, to, pile);
+  draw_force_chains(*canvas, to, pile, options.force_chains);
   canvas->end_clip();
   draw_walls(*canvas, to, pile_options);
   if (options.show_fit && angle && !options.view)
     draw_fit(*canvas, to, pile_options, *angle);
   const double below = to.top + plane_height + 58.0 * to.unit;
   draw_scale_bar(*canvas, to, below);
+  if (!options.force_chains.empty())
+    draw_force_scale(*canvas, to, pile, options.force_chains, to.left + 0.4 * options.width, below);
   if (colours.has_scale)
     draw_colour_bar(*canvas, to, colours, options.width - to.left, below - 14.0 * to.unit);
   TextStyle heading;

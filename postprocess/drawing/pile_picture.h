@@ -2,12 +2,14 @@
 #pragma once
 
 #include "canvas.h"
+#include "contact_forces.h"
 #include "particles.h"
 #include "pile.h"
 #include "repose.h"
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ellipsoid::post {
 
@@ -23,6 +25,7 @@ struct PilePictureOptions {
   bool show_fit = true;                          ///< the line A-B and the angle
   bool show_surface = false;                     ///< the free surface y_max(x)
   bool show_discs = false;                       ///< inner outlines of the sub-spheres
+  std::vector<ForceLink> force_chains;           ///< drawn over pale particles; empty: none
   std::string title;
 };
 

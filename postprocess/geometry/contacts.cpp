@@ -70,7 +70,10 @@ class PairFinder {
 
   void ellipsoids(const EllipsoidShape& i, const Vector3& centre_i, const EllipsoidShape& j,
                   const Vector3& centre_j, double sign = 1.0) {
-    const ContactGeometry found = find_contact(i, j, centre_j - centre_i);
+    const Vector3 distance = centre_j - centre_i;
+    if (overlap_along(i, j, distance, distance) < 0.0)
+      return; // the plane across the centres' connection separates them
+    const ContactGeometry found = find_contact(i, j, distance);
     if (found.status == ContactStatus::not_converged)
       ++m_network.not_converged;
     if (found.status == ContactStatus::separated || found.overlap < 0.0)

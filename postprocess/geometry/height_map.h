@@ -32,6 +32,7 @@ class HeightMap {
   double y(std::size_t j) const { return m_front + (static_cast<double>(j) + 0.5) * m_width; }
   double height(std::size_t i, std::size_t j) const { return m_heights[j * m_columns_x + i]; }
   double floor() const { return m_floor; }
+  double width() const { return m_width; } ///< of a column (length)
   double summit() const;
   /// Volume between floor and surface, column by column (length^3).
   double volume() const;

@@ -2,6 +2,7 @@
 #include "outline_crossings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ellipsoid::post {
@@ -24,8 +25,8 @@ struct TrigonometricPolynomial {
   struct Jet {
     double value, slope;
   };
-  Jet at(double t) const {
-    const double c = std::cos(t), s = std::sin(t);
+  Jet at(double t) const { return at(std::cos(t), std::sin(t)); }
+  Jet at(double c, double s) const {
     const double cc = c * c - s * s, ss = 2.0 * s * c;
     return {k + c1 * c + s1 * s + c2 * cc + s2 * ss, s1 * c - c1 * s + 2.0 * (s2 * cc - c2 * ss)};
   }
@@ -36,50 +37,83 @@ struct TrigonometricPolynomial {
   }
 };
 
-/// Level of j along outline i: negative where i lies inside j.
-TrigonometricPolynomial level_along(const PlaneEllipse& i, const PlaneEllipse& j) {
-  // maps a vector of the plane into the unit circle of j
+/// Outline i after the mapping that makes j the unit circle about 0: d + p cos t + q sin t.
+struct InUnitCircle {
+  Point d, p, q;
+};
+
+InUnitCircle in_unit_circle(const PlaneEllipse& i, const PlaneEllipse& j) {
   const auto to_unit = [&j](double x, double y) {
     const double cosine = x / j.ux;
     return Point(cosine, (y - j.uy * cosine) / j.vy);
   };
-  const Point d = to_unit(i.centre.x() - j.centre.x(), i.centre.y() - j.centre.y());
-  const Point p = to_unit(i.ux, i.uy), q = to_unit(0.0, i.vy);
+  return {to_unit(i.centre.x() - j.centre.x(), i.centre.y() - j.centre.y()), to_unit(i.ux, i.uy),
+          to_unit(0.0, i.vy)};
+}
+
+/// Level of j along outline i: negative where i lies inside j.
+TrigonometricPolynomial level_along(const PlaneEllipse& i, const PlaneEllipse& j) {
+  const auto [d, p, q] = in_unit_circle(i, j);
   // |d + p cos t + q sin t|^2 - 1
   return {d.dot(d) + 0.5 * (p.dot(p) + q.dot(q)) - 1.0, 2.0 * d.dot(p), 2.0 * d.dot(q),
           0.5 * (p.dot(p) - q.dot(q)), p.dot(q)};
 }
 
 /// Root in an interval in which f changes its sign and is monotone: Newton's method, kept within
-/// the shrinking bracket.
+/// the shrinking bracket. The error after the last step is about its square over the interval.
 double bracketed_root(const TrigonometricPolynomial& f, double begin, double end, bool rises) {
   double t = 0.5 * (begin + end);
+  const double last_step = std::max(1e-10 * (end - begin), 1e-16 * two_pi);
   for (int step = 0; step < 60; ++step) {
     const auto jet = f.at(t);
     ((jet.value < 0.0) == rises ? begin : end) = t;
     const double newton = t - jet.value / jet.slope;
-    const double next = newton > begin && newton < end ? newton : 0.5 * (begin + end);
-    if (std::abs(next - t) < 1e-16 * two_pi)
+    const double next = newton >= begin && newton <= end ? newton : 0.5 * (begin + end);
+    if (std::abs(next - t) <= last_step)
       return next;
     t = next;
   }
   return t;
 }
 
-/// An end of an interval with the value there.
+/// An end of an interval with its cosine and sine and the value there.
 struct Sample {
-  double t, value;
+  double t, cosine, sine, value;
 };
 
-void collect_roots(const TrigonometricPolynomial& f, double bound, const Sample& begin,
-                   const Sample& end, std::vector<double>& roots) {
+/// The intervals of the subdivision: eighths of the turn, halved again and again.
+struct Halvings {
+  static constexpr int first_parts = 8, most = 40;
+  std::array<double, first_parts + 1> cosines, sines;
+  /// 1 / (2 cos(w / 2)) for intervals of width w: cos a + cos b = 2 cos(w / 2) cos(middle)
+  std::array<double, most> to_middle;
+
+  Halvings() {
+    for (std::size_t k = 0; k <= first_parts; ++k) {
+      const double t = two_pi * static_cast<double>(k % first_parts) / first_parts;
+      cosines[k] = std::cos(t);
+      sines[k] = std::sin(t);
+    }
+    for (std::size_t depth = 0; depth < most; ++depth)
+      to_middle[depth] =
+          0.5 / std::cos(0.5 * std::ldexp(two_pi / first_parts, -static_cast<int>(depth)));
+  }
+};
+
+const Halvings halvings;
+
+void collect_roots(const TrigonometricPolynomial& f, double bound, std::size_t depth,
+                   const Sample& begin, const Sample& end, std::vector<double>& roots) {
   const double width = end.t - begin.t;
   const bool sign_changes = (begin.value < 0.0) != (end.value < 0.0);
   if (!sign_changes &&
       std::min(std::abs(begin.value), std::abs(end.value)) > bound * width * width / 8.0)
     return; // f stays within bound w^2 / 8 of its chord
-  const double middle = 0.5 * (begin.t + end.t);
-  const auto jet = f.at(middle);
+  const double scale = halvings.to_middle[depth];
+  Sample middle{0.5 * (begin.t + end.t), scale * (begin.cosine + end.cosine),
+                scale * (begin.sine + end.sine), 0.0};
+  const auto jet = f.at(middle.cosine, middle.sine);
+  middle.value = jet.value;
   const bool is_monotone = std::abs(jet.slope) > 0.5 * bound * width;
   if (sign_changes && (is_monotone || width < closest_roots)) {
     roots.push_back(bracketed_root(f, begin.t, end.t, begin.value < 0.0));
@@ -87,34 +121,43 @@ void collect_roots(const TrigonometricPolynomial& f, double bound, const Sample&
   }
   if (is_monotone || width < closest_roots)
     return;
-  collect_roots(f, bound, begin, {middle, jet.value}, roots);
-  collect_roots(f, bound, {middle, jet.value}, end, roots);
+  collect_roots(f, bound, depth + 1, begin, middle, roots);
+  collect_roots(f, bound, depth + 1, middle, end, roots);
 }
 
 std::vector<double> roots_of(const TrigonometricPolynomial& f) {
   std::vector<double> roots;
   if (std::abs(f.k) > std::hypot(f.c1, f.s1) + std::hypot(f.c2, f.s2))
     return roots; // the waves cannot reach zero
-  constexpr int parts = 8;
   const double bound = f.largest_curvature();
-  Sample begin{0.0, f.value(0.0)};
-  for (int part = 1; part <= parts; ++part) {
-    const double t = two_pi * part / parts;
-    const Sample end{t, f.value(t)};
-    collect_roots(f, bound, begin, end, roots);
+  const auto sample = [&f](std::size_t part) {
+    const double c = halvings.cosines[part], s = halvings.sines[part];
+    return Sample{two_pi * static_cast<double>(part) / Halvings::first_parts, c, s,
+                  f.at(c, s).value};
+  };
+  Sample begin = sample(0);
+  for (std::size_t part = 1; part <= Halvings::first_parts; ++part) {
+    const Sample end = sample(part);
+    collect_roots(f, bound, 0, begin, end, roots);
     begin = end;
   }
   return roots;
 }
 
+/// Whether the line across the centres' connection in j's own unit circle separates i from j.
+/// (False says nothing.)
 bool are_apart(const PlaneEllipse& i, const PlaneEllipse& j) {
-  const double reach = i.bounding_radius() + j.bounding_radius();
-  return (i.centre - j.centre).squaredNorm() > reach * reach;
+  const InUnitCircle seen = in_unit_circle(i, j);
+  const double squared = seen.d.squaredNorm();
+  // with n = d / |d|: i reaches sqrt((p.n)^2 + (q.n)^2) towards the circle's centre
+  const double pd = seen.p.dot(seen.d), qd = seen.q.dot(seen.d);
+  const double beyond = squared - std::sqrt(squared);
+  return beyond > 0.0 && beyond * beyond > pd * pd + qd * qd;
 }
 
 /// Intervals between neighbouring roots in which f < 0; the last one may reach beyond 2 pi.
-std::vector<ArcInterval> negative_intervals(const TrigonometricPolynomial& f) {
-  const std::vector<double> roots = roots_of(f);
+std::vector<ArcInterval> negative_intervals(const TrigonometricPolynomial& f,
+                                            const std::vector<double>& roots) {
   std::vector<ArcInterval> result;
   if (roots.empty() && f.value(0.0) < 0.0 && f.value(1.0) < 0.0)
     result.push_back({0.0, two_pi});
@@ -126,25 +169,24 @@ std::vector<ArcInterval> negative_intervals(const TrigonometricPolynomial& f) {
   return result;
 }
 
-/// Cuts intervals at 2 pi.
-std::vector<ArcInterval> within_one_turn(const std::vector<ArcInterval>& intervals) {
-  std::vector<ArcInterval> result;
-  for (const ArcInterval& interval : intervals) {
-    result.push_back({interval.begin, std::min(interval.end, two_pi)});
-    if (interval.end > two_pi)
-      result.push_back({0.0, interval.end - two_pi});
+/// Appends the parts of an outline where f < 0, between the ascending roots, cut at 2 pi; lenses
+/// with a chord below `limit` are left out.
+void append_negative(const TrigonometricPolynomial& f, const std::vector<double>& roots,
+                     const PlaneEllipse& i, double limit, std::vector<ArcInterval>& result) {
+  for (const ArcInterval& arc : negative_intervals(f, roots)) {
+    if (arc.end - arc.begin < 0.5 && (i.at(arc.end) - i.at(arc.begin)).norm() < limit)
+      continue;
+    result.push_back({arc.begin, std::min(arc.end, two_pi)});
+    if (arc.end > two_pi)
+      result.push_back({0.0, arc.end - two_pi});
   }
-  return result;
 }
 
-/// Takes away lenses with a chord below `limit`.
-void drop_touches(std::vector<ArcInterval>& intervals, const PlaneEllipse& i, double limit) {
-  intervals.erase(std::remove_if(intervals.begin(), intervals.end(),
-                                 [&](const ArcInterval& arc) {
-                                   return arc.end - arc.begin < 0.5 &&
-                                          (i.at(arc.end) - i.at(arc.begin)).norm() < limit;
-                                 }),
-                  intervals.end());
+/// The parameter of a point of an outline, 0 to 2 pi.
+double parameter_of(const PlaneEllipse& i, const Point& p) {
+  const double cosine = (p.x() - i.centre.x()) / i.ux;
+  const double t = std::atan2((p.y() - i.centre.y() - i.uy * cosine) / i.vy, cosine);
+  return t < 0.0 ? t + two_pi : t;
 }
 
 } // namespace
@@ -156,28 +198,35 @@ std::vector<double> crossings(const PlaneEllipse& i, const PlaneEllipse& j) {
   return f.size() < same_outline ? std::vector<double>{} : roots_of(f);
 }
 
-std::vector<ArcInterval> covered_arcs(const PlaneEllipse& i, const PlaneEllipse& j, bool j_wins) {
+void append_covered(const PlaneEllipse& i, const PlaneEllipse& j, std::vector<ArcInterval>& of_i,
+                    std::vector<ArcInterval>& of_j) {
   if (are_apart(i, j))
-    return {};
-  const TrigonometricPolynomial f = level_along(i, j);
-  if (f.size() < same_outline)
-    return j_wins ? std::vector<ArcInterval>{{0.0, two_pi}} : std::vector<ArcInterval>{};
-  std::vector<ArcInterval> covered = negative_intervals(f);
-  drop_touches(covered, i, shortest_chord * std::min(i.bounding_radius(), j.bounding_radius()));
-  return within_one_turn(covered);
+    return;
+  const TrigonometricPolynomial along_i = level_along(i, j);
+  if (along_i.size() < same_outline) {
+    of_j.push_back({0.0, two_pi});
+    return;
+  }
+  const double limit = shortest_chord * std::min(i.bounding_radius(), j.bounding_radius());
+  const std::vector<double> roots = roots_of(along_i);
+  append_negative(along_i, roots, i, limit, of_i);
+  std::vector<double> roots_on_j;
+  for (const double t : roots)
+    roots_on_j.push_back(parameter_of(j, i.at(t)));
+  std::sort(roots_on_j.begin(), roots_on_j.end());
+  append_negative(level_along(j, i), roots_on_j, j, limit, of_j);
 }
 
-std::vector<ArcInterval> arcs_beyond_line(const PlaneEllipse& i, const Point& normal,
-                                          double offset) {
+void append_beyond_line(const PlaneEllipse& i, const Point& normal, double offset,
+                        std::vector<ArcInterval>& of_i) {
   TrigonometricPolynomial f; // offset - normal . p(t): negative beyond
   f.k = offset - normal.dot(i.centre);
   f.c1 = -(normal.x() * i.ux + normal.y() * i.uy);
   f.s1 = -normal.y() * i.vy;
-  if (std::abs(f.k) >= std::hypot(f.c1, f.s1))
-    return f.k < 0.0 ? std::vector<ArcInterval>{{0.0, two_pi}} : std::vector<ArcInterval>{};
-  std::vector<ArcInterval> beyond = negative_intervals(f);
-  drop_touches(beyond, i, shortest_chord * i.bounding_radius());
-  return within_one_turn(beyond);
+  if (std::abs(f.k) < std::hypot(f.c1, f.s1))
+    append_negative(f, roots_of(f), i, shortest_chord * i.bounding_radius(), of_i);
+  else if (f.k < 0.0)
+    of_i.push_back({0.0, two_pi});
 }
 
 void join(std::vector<ArcInterval>& intervals) {

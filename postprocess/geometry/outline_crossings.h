@@ -22,12 +22,14 @@ struct ArcInterval {
 /// second derivative, so that none is missed but pairs closer than 1e-9 rad.
 std::vector<double> crossings(const PlaneEllipse& i, const PlaneEllipse& j);
 
-/// The parts of outline i that lie inside j. `j_wins` decides where both coincide.
-std::vector<ArcInterval> covered_arcs(const PlaneEllipse& i, const PlaneEllipse& j, bool j_wins);
+/// Appends the parts of each of two outlines that lie inside the other. Where both are the same
+/// curve, i is left free.
+void append_covered(const PlaneEllipse& i, const PlaneEllipse& j, std::vector<ArcInterval>& of_i,
+                    std::vector<ArcInterval>& of_j);
 
-/// The parts of outline i with normal . p > offset (outside of a half-plane).
-std::vector<ArcInterval> arcs_beyond_line(const PlaneEllipse& i, const Point& normal,
-                                          double offset);
+/// Appends the parts of outline i with normal . p > offset (outside of a half-plane).
+void append_beyond_line(const PlaneEllipse& i, const Point& normal, double offset,
+                        std::vector<ArcInterval>& of_i);
 
 /// Sorts and joins overlapping intervals.
 void join(std::vector<ArcInterval>& intervals);

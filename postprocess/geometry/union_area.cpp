@@ -45,19 +45,6 @@ void for_uncovered(std::vector<ArcInterval>& covered, double whole, const Visito
     visit(begin, whole);
 }
 
-/// Length of an arc by Simpson's rule on a fixed fine division (relative error below 1e-9).
-double arc_length(const PlaneEllipse& shape, double begin, double end) {
-  const auto speed = [&shape](double t) {
-    return std::hypot(shape.ux * std::sin(t), shape.vy * std::cos(t) - shape.uy * std::sin(t));
-  };
-  const int parts = 2 * (1 + static_cast<int>(64.0 * (end - begin)));
-  const double step = (end - begin) / parts;
-  double sum = speed(begin) + speed(end);
-  for (int k = 1; k < parts; ++k)
-    sum += (k % 2 == 1 ? 4.0 : 2.0) * speed(begin + k * step);
-  return sum * step / 3.0;
-}
-
 /// Share of the segment begin + s (end - begin), 0 <= s <= 1, inside an outline.
 bool chord(const PlaneEllipse& shape, const Edge& edge, ArcInterval& inside) {
   const auto to_unit = [&shape](const Point& p) {
@@ -113,8 +100,34 @@ void add_edge(const Edge& edge, const std::vector<PlaneEllipse>& outlines, Union
   }
 }
 
-void append(std::vector<ArcInterval>& to, const std::vector<ArcInterval>& from) {
-  to.insert(to.end(), from.begin(), from.end());
+/// The parts of every outline that are hidden by others or by the region's outside.
+struct HiddenArcs {
+  std::vector<std::vector<ArcInterval>> by_own;    ///< outlines of the same owner, or the outside
+  std::vector<std::vector<ArcInterval>> by_others; ///< outlines of other owners
+};
+
+HiddenArcs hidden_arcs(const std::vector<PlaneEllipse>& outlines, const std::vector<Edge>& edges) {
+  std::vector<Vector3> centres;
+  std::vector<double> radii;
+  for (const PlaneEllipse& shape : outlines) {
+    centres.push_back({shape.centre.x(), shape.centre.y(), 0.0});
+    radii.push_back(shape.bounding_radius());
+  }
+  const CellGrid grid(centres, radii);
+  HiddenArcs hidden;
+  hidden.by_own.resize(outlines.size());
+  hidden.by_others.resize(outlines.size());
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    for (const Edge& edge : edges)
+      append_beyond_line(outlines[i], edge.outward, edge.offset, hidden.by_own[i]);
+    grid.for_neighbours(i, [&](std::size_t j) {
+      if (j < i)
+        return; // each pair once
+      auto& arcs = outlines[i].owner == outlines[j].owner ? hidden.by_own : hidden.by_others;
+      append_covered(outlines[i], outlines[j], arcs[i], arcs[j]);
+    });
+  }
+  return hidden;
 }
 
 } // namespace
@@ -125,31 +138,14 @@ UnionMeasures union_in_region(const std::vector<PlaneEllipse>& outlines,
   if (region.size() < 3)
     return result;
   const std::vector<Edge> edges = edges_of(region);
-  std::vector<Vector3> centres;
-  std::vector<double> radii;
-  for (const PlaneEllipse& shape : outlines) {
-    centres.push_back({shape.centre.x(), shape.centre.y(), 0.0});
-    radii.push_back(shape.bounding_radius());
-  }
-  const CellGrid grid(centres, radii);
-  std::vector<ArcInterval> own, hidden; // hidden by the region's outside or by other outlines
+  HiddenArcs hidden = hidden_arcs(outlines, edges);
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const PlaneEllipse& shape = outlines[i];
-    own.clear();
-    hidden.clear();
-    for (const Edge& edge : edges)
-      append(own, arcs_beyond_line(shape, edge.outward, edge.offset));
-    grid.for_neighbours(i, [&](std::size_t j) {
-      append(outlines[j].owner == shape.owner ? own : hidden,
-             covered_arcs(shape, outlines[j], j < i));
-    });
-    append(hidden, own);
+    auto &own = hidden.by_own[i], &all = hidden.by_others[i];
+    all.insert(all.end(), own.begin(), own.end());
     for_uncovered(own, two_pi,
                   [&](double t0, double t1) { result.area_sum += shape.green(t0, t1); });
-    for_uncovered(hidden, two_pi, [&](double t0, double t1) {
-      result.area += shape.green(t0, t1);
-      result.perimeter += arc_length(shape, t0, t1);
-    });
+    for_uncovered(all, two_pi, [&](double t0, double t1) { result.area += shape.green(t0, t1); });
   }
   for (const Edge& edge : edges)
     add_edge(edge, outlines, result);

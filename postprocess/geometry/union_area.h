@@ -11,9 +11,8 @@ namespace ellipsoid::post {
 using ConvexPolygon = std::vector<Point>;
 
 struct UnionMeasures {
-  double area = 0.0;      ///< of the union (length^2)
-  double area_sum = 0.0;  ///< added owner by owner, each the union of its own outlines (length^2)
-  double perimeter = 0.0; ///< of the union's boundary inside the region (length)
+  double area = 0.0;     ///< of the union (length^2)
+  double area_sum = 0.0; ///< added owner by owner, each the union of its own outlines (length^2)
 };
 
 /// Area of the union of outlines inside a convex region, each point counted once.

@@ -37,6 +37,35 @@ void check(const BedRegion& region) {
                      "must be > 0");
 }
 
+/// Share of a square column about (x, y) in the region's section.
+double share_of_column(const BedRegion& region, double x, double y, double width) {
+  if (region.shape == BedShape::box) {
+    const auto common = [width](double low, double high, double middle) {
+      return std::max(0.0,
+                      std::min(high, middle + 0.5 * width) - std::max(low, middle - 0.5 * width));
+    };
+    return common(region.x0, region.x1, x) * common(region.y0, region.y1, y) / (width * width);
+  }
+  constexpr int parts = 4;
+  int inside = 0;
+  for (int k = 0; k < parts * parts; ++k) {
+    const double dx = x + ((k % parts + 0.5) / parts - 0.5) * width - region.axis_x;
+    const double dy = y + ((k / parts + 0.5) / parts - 0.5) * width - region.axis_y;
+    inside += dx * dx + dy * dy <= region.radius * region.radius ? 1 : 0;
+  }
+  return static_cast<double>(inside) / (parts * parts);
+}
+
+/// Volume of the region below the free surface.
+double volume_below(const HeightMap& surface, const BedRegion& region) {
+  double sum = 0.0;
+  for (std::size_t j = 0; j < surface.columns_y(); ++j)
+    for (std::size_t i = 0; i < surface.columns_x(); ++i)
+      sum += share_of_column(region, surface.x(i), surface.y(j), surface.width()) *
+             std::clamp(surface.height(i, j) - region.z0, 0.0, region.z1 - region.z0);
+  return sum * surface.width() * surface.width();
+}
+
 /// Areas of the union in planes in the middles of equal layers.
 /// (Spheres of minimax chains stand out of their ellipsoid a little: 1.2 is on the safe side.)
 std::vector<double> section_areas(const ParticleSet& set, const std::vector<std::size_t>& members,
@@ -75,14 +104,18 @@ double coarser_difference(const std::vector<double>& areas) {
 
 } // namespace
 
-BedPorosity bed_porosity(const ParticleSet& upright, const BedRegion& region, int planes) {
+BedPorosity bed_porosity(const ParticleSet& upright, const BedRegion& region, int planes,
+                         const BedSurface& surface) {
   check(region);
   const ConvexPolygon section = section_of(region);
   const int used = 4 * ((planes + 3) / 4);
   const auto areas =
       section_areas(upright, all_members(upright), &section, region.z0, region.z1, used);
   BedPorosity result;
-  result.total_volume = polygon_area(section) * (region.z1 - region.z0);
+  result.total_volume =
+      surface ? volume_below(*surface, region) : polygon_area(section) * (region.z1 - region.z0);
+  if (!(result.total_volume > 0.0))
+    return result; // wholly above the free surface
   result.solid_volume = sum_of(areas) * (region.z1 - region.z0) / used;
   result.porosity = 1.0 - result.solid_volume / result.total_volume;
   result.error = coarser_difference(areas) * result.solid_volume / result.total_volume;
@@ -90,28 +123,30 @@ BedPorosity bed_porosity(const ParticleSet& upright, const BedRegion& region, in
 }
 
 std::vector<BedSlice> height_profile(const ParticleSet& upright, const BedRegion& region,
-                                     int slices, int planes) {
+                                     int slices, int planes, const BedSurface& surface) {
   std::vector<BedSlice> profile;
   for (int k = 0; k < slices; ++k) {
     BedRegion layer = region;
     layer.z0 = region.z0 + k * (region.z1 - region.z0) / slices;
     layer.z1 = region.z0 + (k + 1) * (region.z1 - region.z0) / slices;
-    profile.push_back(
-        {layer.z0, layer.z1, bed_porosity(upright, layer, std::max(4, planes / slices)).porosity});
+    const BedPorosity p = bed_porosity(upright, layer, std::max(4, planes / slices), surface);
+    if (p.total_volume > 0.0)
+      profile.push_back({layer.z0, layer.z1, p.porosity});
   }
   return profile;
 }
 
 std::vector<BedSlice> radial_profile(const ParticleSet& upright, const BedRegion& region,
-                                     int slices, int planes) {
+                                     int slices, int planes, const BedSurface& surface) {
   std::vector<BedSlice> profile;
   double inner_total = 0.0, inner_solid = 0.0;
   for (int k = 0; k < slices; ++k) {
     BedRegion disc = region;
     disc.radius = (k + 1) * region.radius / slices;
-    const BedPorosity p = bed_porosity(upright, disc, planes);
-    profile.push_back({k * region.radius / slices, disc.radius,
-                       1.0 - (p.solid_volume - inner_solid) / (p.total_volume - inner_total)});
+    const BedPorosity p = bed_porosity(upright, disc, planes, surface);
+    if (p.total_volume > inner_total)
+      profile.push_back({k * region.radius / slices, disc.radius,
+                         1.0 - (p.solid_volume - inner_solid) / (p.total_volume - inner_total)});
     inner_total = p.total_volume;
     inner_solid = p.solid_volume;
   }

@@ -1,8 +1,9 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #pragma once
 
-#include "particles.h"
+#include "height_map.h"
 
+#include <optional>
 #include <vector>
 
 namespace ellipsoid::post {
@@ -30,19 +31,25 @@ struct BedSlice {
   double porosity = 0.0;
 };
 
+/// The free surface of a bed, cut at which the region ends; none: the region is whole.
+using BedSurface = std::optional<HeightMap>;
+
 /// Porosity in a region: the exact area of the union of sections (each point counted once) in
 /// planes of constant z, integrated over z by the midpoint rule in `planes` planes. The error
 /// estimate is the difference to the rule with every second pair of planes joined.
-/// A cylinder's section is a regular polygon of 360 corners with the circle's area.
-BedPorosity bed_porosity(const ParticleSet& upright, const BedRegion& region, int planes);
+/// A cylinder's section is a regular polygon of 360 corners with the circle's area. Below a surface
+/// the region's volume is summed over the surface's columns (shares of columns at the region's
+/// edge: exact for a box, in 16 parts for a cylinder).
+BedPorosity bed_porosity(const ParticleSet& upright, const BedRegion& region, int planes,
+                         const BedSurface& surface = {});
 
-/// Porosity of `slices` layers of equal thickness.
+/// Porosity of `slices` layers of equal thickness (without those that lie above the surface).
 std::vector<BedSlice> height_profile(const ParticleSet& upright, const BedRegion& region,
-                                     int slices, int planes);
+                                     int slices, int planes, const BedSurface& surface = {});
 
-/// Porosity of `slices` rings of equal width about a cylinder's axis.
+/// Porosity of `slices` rings of equal width about a cylinder's axis (with the same exception).
 std::vector<BedSlice> radial_profile(const ParticleSet& upright, const BedRegion& region,
-                                     int slices, int planes);
+                                     int slices, int planes, const BedSurface& surface = {});
 
 /// Volume of the union of all particles, by the same rule over their whole height (length^3).
 double solid_volume(const ParticleSet& upright, const std::vector<std::size_t>& members,

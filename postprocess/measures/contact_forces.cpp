@@ -2,6 +2,11 @@
 #include "contact_forces.h"
 
 #include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <unordered_map>
+#include <utility>
 
 namespace ellipsoid::post {
 
@@ -46,6 +51,51 @@ ForceStatistics force_statistics(const std::vector<Vector3>& forces) {
     }
   }
   return result;
+}
+
+namespace {
+
+/// Force of each row of a list: its part along the normal, or its magnitude.
+std::vector<double> row_forces(const Frame& list, const ContactColumns& columns) {
+  std::vector<double> result;
+  for (const Vector3& force : vectors_of(list, columns.forces, false))
+    result.push_back(norm(force));
+  if (columns.normals.empty())
+    return result;
+  const auto forces = vectors_of(list, columns.forces, false);
+  const auto normals = vectors_of(list, columns.normals, false);
+  for (std::size_t row = 0; row < result.size(); ++row)
+    result[row] = std::abs(dot(forces[row], normals[row])) / std::max(norm(normals[row]), 1e-300);
+  return result;
+}
+
+} // namespace
+
+std::vector<ForceLink> force_links(const Frame& list, const ContactColumns& columns,
+                                   const ParticleSet& set) {
+  std::unordered_map<double, std::size_t> index_of_id;
+  for (std::size_t k = 0; k < set.particles.size(); ++k)
+    index_of_id[static_cast<double>(set.particles[k].id)] = k;
+  const auto index_at = [&](const std::string& column, std::size_t row) {
+    const double id = list.required(column, "id of a particle")[row];
+    const auto found = index_of_id.find(id);
+    if (found == index_of_id.end())
+      throw unexpected({list.place.file, list.place.line + row, list.place.frame},
+                       fmt::format("the id of a particle in column \"{}\"", column),
+                       fmt::format("{}, which the dump of the particles does not have", id));
+    return found->second;
+  };
+  const std::vector<double> forces = row_forces(list, columns);
+  std::map<std::pair<std::size_t, std::size_t>, double> force_of_pair;
+  for (std::size_t row = 0; row < list.rows; ++row) {
+    const std::size_t i = index_at(columns.ids.at(0), row), j = index_at(columns.ids.at(1), row);
+    force_of_pair[{std::min(i, j), std::max(i, j)}] += forces[row];
+  }
+  std::vector<ForceLink> links;
+  for (const auto& [pair, force] : force_of_pair)
+    if (force > 0.0)
+      links.push_back({set.particles[pair.first].centre, set.particles[pair.second].centre, force});
+  return links;
 }
 
 } // namespace ellipsoid::post

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "frame.h"
-#include "vector3.h"
+#include "particles.h"
 
 #include <string>
 #include <vector>
@@ -23,5 +23,25 @@ std::vector<Vector3> vectors_of(const Frame& frame, const std::vector<std::strin
                                 bool to_unit);
 
 ForceStatistics force_statistics(const std::vector<Vector3>& forces);
+
+/// Names of the columns of a contact list.
+struct ContactColumns {
+  std::vector<std::string> ids;     ///< of the two particles
+  std::vector<std::string> forces;  ///< x y z
+  std::vector<std::string> normals; ///< x y z; empty: not listed
+};
+
+/// A link of a force chain: two touching particles and the force between them.
+struct ForceLink {
+  Vector3 begin, end; ///< the particles' centres (length)
+  double force = 0.0; ///< the normal part, or without normals the magnitude (force)
+};
+
+/// The links of a contact list; several contacts of one pair (multi-sphere particles) are one link
+/// with the sum of their forces. Links without force are left out.
+/// @param[in] set the particles of the same moment
+/// Throws InputError when the list names a particle that is not there.
+std::vector<ForceLink> force_links(const Frame& list, const ContactColumns& columns,
+                                   const ParticleSet& set);
 
 } // namespace ellipsoid::post

@@ -144,7 +144,7 @@ std::vector<Chart> figure_5() {
         template_ratio(aspect, &MultisphereMeasures::perimeter_ratio, colour, markers[k]));
   }
   area.x_ticks = perimeter.x_ticks = {3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25};
-  area.bands.push_back({"1 % of the area", 0.99, 0.0, dark, true});
+  area.bands.push_back({"1 % below the ellipse", 0.99, 0.0, dark, true});
   return {area, perimeter};
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 
 namespace ellipsoid::post {
 namespace {
@@ -95,29 +96,12 @@ Spread spread_of(const std::vector<double>& values) {
   return s;
 }
 
-Table summary_for_people(const Table& runs, const std::vector<std::string>& group_keys,
-                         const std::vector<std::string>& quantities) {
-  Table result{"Mean and margin (half range) over runs", {}};
-  const std::vector<Quantity> header = runs.header();
-  for (const Group& group : groups_of(runs, group_keys)) {
-    Row row = group.keys;
-    row.push_back({"runs", "runs", "", static_cast<std::int64_t>(group.rows.size())});
-    for (const Quantity& q : header) {
-      if (std::find(quantities.begin(), quantities.end(), q.key) == quantities.end())
-        continue;
-      const Spread s = spread_of(numbers_of(group, q.key));
-      const double percent = s.mean != 0.0 ? 100.0 * s.half_range / std::abs(s.mean) : 0.0;
-      if (s.count > 0)
-        row.push_back({q.key, q.name, q.unit,
-                       fmt::format("{:.4g} +- {:.2g} ({:.1f} %)", s.mean, s.half_range, percent)});
-    }
-    result.rows.push_back(std::move(row));
-  }
-  return result;
-}
+namespace {
 
-Table summary_of(const Table& runs, const std::vector<std::string>& group_keys,
-                 const std::vector<std::string>& quantities) {
+/// A row per group; `append` adds the spread of each quantity that the group has.
+Table grouped(const Table& runs, const std::vector<std::string>& group_keys,
+              const std::vector<std::string>& quantities,
+              const std::function<void(Row&, const Quantity&, const Spread&)>& append) {
   Table result{"Mean and margin (half range) over runs", {}};
   const std::vector<Quantity> header = runs.header();
   for (const Group& group : groups_of(runs, group_keys)) {
@@ -128,11 +112,29 @@ Table summary_of(const Table& runs, const std::vector<std::string>& group_keys,
       const auto known = std::find_if(header.begin(), header.end(),
                                       [&](const Quantity& q) { return q.key == key; });
       if (!values.empty() && known != header.end())
-        append_spread(row, *known, spread_of(values));
+        append(row, *known, spread_of(values));
     }
     result.rows.push_back(std::move(row));
   }
   return result;
+}
+
+} // namespace
+
+Table summary_for_people(const Table& runs, const std::vector<std::string>& group_keys,
+                         const std::vector<std::string>& quantities) {
+  return grouped(runs, group_keys, quantities, [](Row& row, const Quantity& q, const Spread& s) {
+    const double percent = s.mean != 0.0 ? 100.0 * s.half_range / std::abs(s.mean) : 0.0;
+    const std::string words =
+        s.count > 1 ? fmt::format("{:.4g} +- {:.2g} ({:.1f} %)", s.mean, s.half_range, percent)
+                    : fmt::format("{:.4g} (one run)", s.mean);
+    row.push_back({q.key, q.name, q.unit, words});
+  });
+}
+
+Table summary_of(const Table& runs, const std::vector<std::string>& group_keys,
+                 const std::vector<std::string>& quantities) {
+  return grouped(runs, group_keys, quantities, append_spread);
 }
 
 } // namespace ellipsoid::post

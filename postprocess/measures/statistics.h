@@ -26,7 +26,7 @@ Spread spread_of(const std::vector<double>& values);
 Table summary_of(const Table& runs, const std::vector<std::string>& group_keys,
                  const std::vector<std::string>& quantities);
 
-/// The same for people, a cell for each quantity: "22.7 +- 1.8 (8 %)".
+/// The same for people, a cell for each quantity: "22.7 +- 1.8 (8 %)", or "22.7 (one run)".
 Table summary_for_people(const Table& runs, const std::vector<std::string>& group_keys,
                          const std::vector<std::string>& quantities);
 

@@ -118,10 +118,11 @@ bool LineReader::refill() {
   std::memmove(m_buffer.data(), m_buffer.data() + m_begin, m_end - m_begin);
   m_end -= m_begin;
   m_begin = 0;
-  if (m_end == m_buffer.size())
+  if (m_end + 1 == m_buffer.size())
     m_buffer.resize(2 * m_buffer.size());
-  const std::size_t got = m_source->read(m_buffer.data() + m_end, m_buffer.size() - m_end);
+  const std::size_t got = m_source->read(m_buffer.data() + m_end, m_buffer.size() - m_end - 1);
   m_end += got;
+  m_buffer[m_end] = '\n';
   m_at_end = got == 0;
   return got > 0;
 }

@@ -36,7 +36,8 @@ class LineReader {
   LineReader(std::unique_ptr<ByteSource> source, std::string name);
 
   /// The next line without its end; false at the end of the file. The view is valid until the
-  /// next call. Throws InputError for a line that is too long or holds a NUL byte (binary data).
+  /// next call; the byte behind it is readable and ends a line. Throws InputError for a line that
+  /// is too long or holds a NUL byte (binary data).
   bool next(std::string_view& line);
 
   /// Number of the line that `next` gave last, from 1.

@@ -1,10 +1,11 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "text_dump.h"
 
+#include "number_text.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <fmt/format.h>
 
 namespace ellipsoid::post {
@@ -16,9 +17,9 @@ constexpr std::array<std::string_view, 1> text_columns = {"element"};
 /// More columns than this is not a dump.
 constexpr std::size_t most_columns = 10000;
 
-/// Rows for which memory is set aside before any of them was seen: a wrong count in a broken
-/// file must not ask for all the memory of the machine.
-constexpr std::size_t most_rows_reserved = std::size_t{1} << 20;
+/// Rows for which memory is set aside before they were seen: a wrong count in a broken file must
+/// not ask for all the memory of the machine.
+constexpr std::size_t most_rows_ahead = std::size_t{1} << 18;
 
 bool is_blank(char letter) { return letter == ' ' || letter == '\t'; }
 
@@ -50,20 +51,6 @@ bool is_text_column(std::string_view name) {
   return std::find(text_columns.begin(), text_columns.end(), name) != text_columns.end();
 }
 
-/// A finite number that fills the whole token; a leading '+' is allowed.
-bool parse_number(std::string_view token, double& value) {
-  if (!token.empty() && token.front() == '+')
-    token.remove_prefix(1);
-  const auto result = std::from_chars(token.data(), token.data() + token.size(), value);
-  if (result.ptr != token.data() + token.size() || token.empty())
-    return false;
-  if (result.ec == std::errc::result_out_of_range) { // too small: 0 is meant; too large: error
-    value = 0.0;
-    return token.find("e-") != std::string_view::npos || token.find("E-") != std::string_view::npos;
-  }
-  return result.ec == std::errc() && std::isfinite(value);
-}
-
 } // namespace
 
 TextDumpReader::TextDumpReader(std::unique_ptr<ByteSource> source, const std::string& name)
@@ -88,7 +75,8 @@ std::string_view TextDumpReader::line_of(const char* expected) {
 
 double TextDumpReader::number(std::string_view token, const char* expected) const {
   double value = 0.0;
-  if (!parse_number(token, value))
+  const char* end = token.data() + token.size();
+  if (read_number(token.data(), end, value) != end)
     throw unexpected(here(), expected, quoted(std::string(token)));
   return value;
 }
@@ -163,43 +151,69 @@ void TextDumpReader::read_header(Frame& frame) {
     throw unexpected(here(), "\"ITEM: NUMBER OF ATOMS\" before the rows", "none");
 }
 
-void TextDumpReader::read_row(Frame& frame, std::string_view line, std::size_t row) {
+/// False when the line is no row of numbers.
+bool TextDumpReader::read_row(Frame& frame, std::string_view line, std::size_t row) const {
+  const char* place = line.data();
+  const char* const end = place + line.size();
+  const auto skip = [&](bool blanks) {
+    while (place < end && is_blank(*place) == blanks)
+      ++place;
+  };
+  for (std::size_t k = 0; k < m_is_text.size(); ++k) {
+    skip(true);
+    if (place == end)
+      return false;
+    if (m_is_text[k])
+      skip(false);
+    else if (!(place = read_number(place, end, frame.columns[k][row])))
+      return false;
+  }
+  skip(true);
+  return place == end;
+}
+
+/// What is wrong with a row that read_row refused.
+InputError TextDumpReader::refused_row(const Frame& frame, std::string_view line,
+                                       std::size_t row) const {
+  const std::string counts =
+      fmt::format("{} values in row {} of {}", frame.names.size(), row + 1, frame.rows);
   std::string_view rest = line;
   for (std::size_t k = 0; k < frame.names.size(); ++k) {
     const std::string_view token = next_token(rest);
     if (token.empty())
-      throw unexpected(
-          here(), fmt::format("{} values in row {} of {}", frame.names.size(), row + 1, frame.rows),
-          fmt::format("{}: {}", k, quoted(std::string(line))));
-    if (is_text_column(frame.names[k]))
-      continue;
+      return unexpected(here(), counts, fmt::format("{}: {}", k, quoted(std::string(line))));
     double value = 0.0;
-    if (!parse_number(token, value))
-      throw unexpected(here(), fmt::format("a finite number in column \"{}\"", frame.names[k]),
-                       quoted(std::string(token)));
-    frame.columns[k].push_back(value);
+    if (!m_is_text[k] && !read_number(token.data(), token.data() + token.size(), value))
+      return unexpected(here(), fmt::format("a finite number in column \"{}\"", frame.names[k]),
+                        quoted(std::string(token)));
   }
-  if (!next_token(rest).empty())
-    throw unexpected(
-        here(), fmt::format("{} values in row {} of {}", frame.names.size(), row + 1, frame.rows),
-        fmt::format("more: {}", quoted(std::string(line))));
+  return unexpected(here(), counts, fmt::format("more: {}", quoted(std::string(line))));
 }
 
 void TextDumpReader::read_rows(Frame& frame) {
-  frame.columns.resize(frame.names.size());
-  for (auto& column : frame.columns) {
-    column.clear();
-    column.reserve(std::min(frame.rows, most_rows_reserved));
-  }
+  const std::size_t columns = frame.names.size();
+  frame.columns.resize(columns);
+  m_is_text.resize(columns);
+  for (std::size_t k = 0; k < columns; ++k)
+    m_is_text[k] = is_text_column(frame.names[k]);
+  std::size_t held = 0;
   for (std::size_t row = 0; row < frame.rows; ++row) {
+    if (row == held) {
+      held = std::min(frame.rows, held + most_rows_ahead);
+      for (std::size_t k = 0; k < columns; ++k)
+        frame.columns[k].resize(m_is_text[k] ? 0 : held);
+    }
     std::string_view line;
     const bool more = m_lines.next(line);
     if (!more || starts_with(line, "ITEM:")) {
       const std::string expected = fmt::format("row {} of {}", row + 1, frame.rows);
       throw more ? unexpected(here(), expected, quoted(std::string(line))) : cut_off(expected);
     }
-    read_row(frame, line, row);
+    if (!read_row(frame, line, row))
+      throw refused_row(frame, line, row);
   }
+  for (auto& column : frame.columns)
+    column.resize(std::min(column.size(), frame.rows));
 }
 
 bool TextDumpReader::next(Frame& frame) {

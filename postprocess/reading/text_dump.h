@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ellipsoid::post {
 
@@ -31,7 +32,8 @@ class TextDumpReader : public FrameReader {
   bool read_section(Frame& frame, std::string_view title);
   void read_box(Frame& frame, std::string_view title);
   void read_rows(Frame& frame);
-  void read_row(Frame& frame, std::string_view line, std::size_t row);
+  bool read_row(Frame& frame, std::string_view line, std::size_t row) const;
+  InputError refused_row(const Frame& frame, std::string_view line, std::size_t row) const;
   InputError cut_off(const std::string& expected) const;
   std::string_view line_of(const char* expected);
   double number(std::string_view token, const char* expected) const;
@@ -40,6 +42,7 @@ class TextDumpReader : public FrameReader {
 
   LineReader m_lines;
   std::size_t m_frame = 0;
+  std::vector<char> m_is_text; ///< by column
 };
 
 } // namespace ellipsoid::post

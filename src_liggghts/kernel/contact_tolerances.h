@@ -14,9 +14,15 @@ namespace tolerance {
 constexpr double normal_error = 1.0e-14;
 
 /// The last step is not followed by a new evaluation when it is below this angle (rad): contact
-/// point and overlap then come from the derivatives at hand, with errors of this angle squared; the
-/// reduced radius is that of the normal before the step, with an error of this angle (relative).
+/// point, overlap and radii then come from the derivatives at hand, with errors of this angle
+/// squared.
 constexpr double extrapolated_step = 1.0e-8;
+
+/// The same two for a pair that touched in the last time step (contact_batch.h): its normal is then
+/// exact to 1e-12 rad, a ten-thousandth of what it turns in one time step of a pile at rest, and
+/// one evaluation is enough in most steps.
+constexpr double batch_normal_error = 1.0e-12;
+constexpr double batch_extrapolated_step = 1.0e-6;
 
 /// Longest accepted Newton step (rad): beyond it the quadratic model of the support
 /// functions of a slender body (aspect 20 turns its radius within 1/20 rad) says nothing.
@@ -46,6 +52,17 @@ constexpr int bracket_limit = 60;
 /// Relative width at which the scalar search for the first normal stops: the result is only
 /// a starting point, but its sign decides about touching (see first_normal).
 constexpr double bracket_width = 1.0e-6;
+
+/// The axis ratio of a contact ellipse is found so that ln(B/A) is met to this: far below
+/// `extrapolated_step`, to which A and B themselves are known.
+constexpr double elliptic_error = 1.0e-12;
+
+/// Steps of the secant search for it: 2 to 4 are needed for curvatures up to 1 : 1e8.
+constexpr int elliptic_limit = 30;
+
+/// The arithmetic-geometric mean is found when its two means differ by less than this (relative):
+/// the next step would square it.
+constexpr double elliptic_rounding = 1.0e-9;
 
 } // namespace tolerance
 } // namespace ellipsoid

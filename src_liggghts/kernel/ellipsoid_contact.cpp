@@ -1,6 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "ellipsoid_contact.h"
 
+#include "ellipsoid_overlap.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -9,74 +11,25 @@ namespace ellipsoid {
 
 namespace {
 
-/// Two unit vectors that make a right-handed frame with the unit vector n; no square root and
-/// no branch but a sign (Duff et al. 2017, J. Comput. Graph. Tech. 6(1), listing 3).
-struct TangentFrame {
-  Vector3 first, second;
+/// Curvatures W^-1 of one body at the surface point with this normal, in the tangent frame.
+TangentMatrix curvatures(const EllipsoidShape& shape, const Vector3& normal,
+                         const TangentFrame& t) {
+  const double s = support(shape, normal);
+  const Vector3 point = (1.0 / s) * (shape.a_matrix * normal);
+  const double p1 = dot(t.first, point), p2 = dot(t.second, point);
+  const Vector3 a_first = shape.a_matrix * t.first, a_second = shape.a_matrix * t.second;
+  const TangentMatrix w{(dot(t.first, a_first) - p1 * p1) / s,
+                        (dot(t.first, a_second) - p1 * p2) / s,
+                        (dot(t.second, a_second) - p2 * p2) / s};
+  const double inverse = s * s * s * s / shape.squared_axes_product; // 1 / det W
+  return {inverse * w.yy, -inverse * w.xy, inverse * w.xx};
+}
 
-  explicit TangentFrame(const Vector3& n) {
-    const double sign = std::copysign(1.0, n.z);
-    const double p = -1.0 / (sign + n.z);
-    const double q = n.x * n.y * p;
-    first = {1.0 + sign * n.x * n.x * p, sign * q, -sign * n.x};
-    second = {q, sign + n.y * n.y * p, -n.y};
-  }
-};
-
-/// Symmetric 2x2 matrix in a tangent plane.
-struct TangentMatrix {
-  double xx = 0.0, xy = 0.0, yy = 0.0;
-  double trace() const { return xx + yy; }
-  double determinant() const { return xx * yy - xy * xy; }
-};
-
-/// phi and its first derivatives at one normal.
-struct OverlapFunction {
-  Vector3 normal;
-  Vector3 support_point_i, support_point_j; // A n / s: farthest points along n (length)
-  double support_i, support_j;
-  double value;     // phi (length)
-  Vector3 gradient; // of the degree-one extension: n.gradient = phi (length)
-
-  OverlapFunction(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& centre_distance,
-                  const Vector3& n)
-      : normal(n) {
-    const Vector3 a_i = i.a_matrix * n, a_j = j.a_matrix * n;
-    support_i = std::sqrt(dot(n, a_i));
-    support_j = std::sqrt(dot(n, a_j));
-    support_point_i = (1.0 / support_i) * a_i;
-    support_point_j = (1.0 / support_j) * a_j;
-    value = support_i + support_j - dot(n, centre_distance);
-    gradient = support_point_i + support_point_j - centre_distance;
-  }
-
-  /// Relative change of the radii of curvature per radian that n turns, as an upper estimate:
-  /// W ~ 1 / s^3, and s changes by the tangential part of the support point.
-  double radius_change_rate() const {
-    const double slope_i = dot(support_point_i, support_point_i) / (support_i * support_i) - 1.0;
-    const double slope_j = dot(support_point_j, support_point_j) / (support_j * support_j) - 1.0;
-    return 1.0 + 3.0 * std::sqrt(std::fmax(0.0, std::fmax(slope_i, slope_j)));
-  }
-
-  /// Length below which differences of `value` are noise.
-  double noise() const {
-    return tolerance::rounding_noise *
-           (norm(support_point_i) + norm(support_point_j) + std::fabs(value));
-  }
-};
-
-/// W_i + W_j in the tangent frame, W = (A - (A n)(A n)^T / s^2) / s: radii of curvature (length).
-TangentMatrix curvature_radii_sum(const EllipsoidShape& i, const EllipsoidShape& j,
-                                  const OverlapFunction& f, const TangentFrame& t) {
-  const SymmetricMatrix3 a =
-      (1.0 / f.support_i) * i.a_matrix + (1.0 / f.support_j) * j.a_matrix;
-  const Vector3 a_first = a * t.first, a_second = a * t.second;
-  const double i1 = dot(t.first, f.support_point_i), i2 = dot(t.second, f.support_point_i);
-  const double j1 = dot(t.first, f.support_point_j), j2 = dot(t.second, f.support_point_j);
-  const double w_i = 1.0 / f.support_i, w_j = 1.0 / f.support_j;
-  return {dot(t.first, a_first) - w_i * i1 * i1 - w_j * j1 * j1,
-          dot(t.first, a_second) - w_i * i1 * i2 - w_j * j1 * j2,
-          dot(t.second, a_second) - w_i * i2 * i2 - w_j * j2 * j2};
+/// Half the eigenvalues: the gap is half the quadratic form of the curvatures.
+RelativeCurvature principal(const TangentMatrix& c) {
+  const double mean = 0.5 * c.trace();
+  const double larger = mean + std::hypot(0.5 * (c.xx - c.yy), c.xy);
+  return {0.5 * c.determinant() / larger, 0.5 * larger};
 }
 
 /// A step in the tangent plane.
@@ -130,7 +83,7 @@ bool line_search(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3
   for (int halving = 0; halving < tolerance::halving_limit; ++halving, share *= 0.5) {
     const Vector3 n = normalized(f.normal + (share * step.first) * t.first +
                                  (share * step.second) * t.second);
-    const OverlapFunction trial(i, j, centre_distance, n);
+    const OverlapFunction trial(i.a_matrix, j.a_matrix, centre_distance, n);
     if (trial.value <=
         f.value + tolerance::sufficient_decrease * share * step.slope + f.noise()) {
       f = trial;
@@ -159,51 +112,33 @@ ContactGeometry assemble(const EllipsoidShape& i, const EllipsoidShape& j,
   return c;
 }
 
-/// The overlap function one very small step further, to second order of the step in all but the
-/// overlap, which is exact to third.
-OverlapFunction extrapolate(const EllipsoidShape& i, const EllipsoidShape& j,
-                            const OverlapFunction& f, const TangentFrame& t,
-                            const TangentStep& step) {
-  const Vector3 shift = step.first * t.first + step.second * t.second;
-  const auto move = [&shift](const SymmetricMatrix3& a, Vector3& point, double& support) {
-    const double along = dot(point, shift), inverse = 1.0 / support;
-    point += inverse * (a * shift - along * point); // W shift
-    support += along;
-  };
-  OverlapFunction g = f;
-  g.normal = normalized(f.normal + shift);
-  move(i.a_matrix, g.support_point_i, g.support_i);
-  move(j.a_matrix, g.support_point_j, g.support_j);
-  g.value += 0.5 * step.slope;
-  return g;
-}
-
 /// Local search from one normal; the result is a minimum of phi, or a proof of separation.
 ContactGeometry descend(const Vector3& start, const EllipsoidShape& i, const EllipsoidShape& j,
                         const Vector3& centre_distance, const SearchOptions& options) {
-  OverlapFunction f(i, j, centre_distance, start);
-  const auto finish = [&](const OverlapFunction& at, double det_sum, ContactStatus otherwise,
-                          int iterations) {
-    return assemble(i, j, centre_distance, at, det_sum,
+  OverlapFunction f(i.a_matrix, j.a_matrix, centre_distance, start);
+  const auto finish = [&](const OverlapFunction& at, ContactStatus otherwise, int iterations) {
+    const TangentFrame t(at.normal);
+    return assemble(i, j, centre_distance, at,
+                    curvature_radii_sum(i.a_matrix, j.a_matrix, at, t).determinant(),
                     at.value < 0.0 ? ContactStatus::separated : otherwise, iterations);
   };
   for (int iteration = 0; iteration < options.newton_limit; ++iteration) {
-    const TangentFrame t(f.normal);
-    const TangentMatrix radii = curvature_radii_sum(i, j, f, t);
     if (options.goal == SearchGoal::contact && f.value < 0.0)
-      return finish(f, radii.determinant(), ContactStatus::separated, iteration);
-    const TangentStep step = newton_step(f, t, radii);
+      return finish(f, ContactStatus::separated, iteration);
+    const TangentFrame t(f.normal);
+    const TangentStep step =
+        newton_step(f, t, curvature_radii_sum(i.a_matrix, j.a_matrix, f, t));
     const bool last = step.newton && step.predicted_error <= tolerance::normal_error;
-    if (last && step.length() <= tolerance::extrapolated_step)
-      return finish(extrapolate(i, j, f, t, step), radii.determinant(), ContactStatus::touching,
-                    iteration + 1);
+    if (last && step.length() <= tolerance::extrapolated_step) {
+      const Vector3 shift = step.first * t.first + step.second * t.second;
+      return finish(extrapolated(i.a_matrix, j.a_matrix, f, shift, step.slope),
+                    ContactStatus::touching, iteration + 1);
+    }
     const bool moved = line_search(i, j, centre_distance, t, step, f);
     if (last || !moved)
-      return finish(f, curvature_radii_sum(i, j, f, TangentFrame(f.normal)).determinant(),
-                    ContactStatus::touching, iteration + 1);
+      return finish(f, ContactStatus::touching, iteration + 1);
   }
-  return finish(f, curvature_radii_sum(i, j, f, TangentFrame(f.normal)).determinant(),
-                ContactStatus::not_converged, options.newton_limit);
+  return finish(f, ContactStatus::not_converged, options.newton_limit);
 }
 
 /// G^-1 d up to a positive factor, G = (1 - lambda) A_i + lambda A_j.
@@ -318,6 +253,17 @@ ContactGeometry find_contact_from(const Vector3& normal_guess, const EllipsoidSh
                                   const SearchOptions& options) {
   return certify(descend(normal_guess, i, j, centre_distance, options), i, j, centre_distance,
                  options);
+}
+
+RelativeCurvature relative_curvature(const EllipsoidShape& i, const EllipsoidShape& j,
+                                     const Vector3& normal) {
+  const TangentFrame t(normal);
+  const TangentMatrix c_i = curvatures(i, normal, t), c_j = curvatures(j, normal, t);
+  return principal({c_i.xx + c_j.xx, c_i.xy + c_j.xy, c_i.yy + c_j.yy});
+}
+
+RelativeCurvature relative_curvature(const EllipsoidShape& i, const Vector3& normal) {
+  return principal(curvatures(i, normal, TangentFrame(normal)));
 }
 
 ContactGeometry find_plane_contact(const EllipsoidShape& i, const Vector3& plane_point,

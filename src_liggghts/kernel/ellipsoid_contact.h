@@ -19,6 +19,7 @@
 #pragma once
 
 #include "contact_tolerances.h"
+#include "elliptic_hertz.h"
 #include "vector3.h"
 
 namespace ellipsoid {
@@ -82,6 +83,13 @@ inline double overlap_along(const EllipsoidShape& i, const EllipsoidShape& j,
                             const Vector3& centre_distance, const Vector3& normal) {
   return support(i, normal) + support(j, normal) - dot(normal, centre_distance);
 }
+
+/// A and B of the gap of two bodies that touch with this unit normal (from i to j); for laws that
+/// need more of the curvatures than (19).
+RelativeCurvature relative_curvature(const EllipsoidShape& i, const EllipsoidShape& j,
+                                     const Vector3& normal);
+/// The same with a plane.
+RelativeCurvature relative_curvature(const EllipsoidShape& i, const Vector3& normal);
 
 /// Contact with the plane through `plane_point` (relative to the centre of i) with unit
 /// `plane_normal` pointing from the body into the wall. Closed form.

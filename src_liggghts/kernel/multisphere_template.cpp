@@ -64,20 +64,6 @@ bool is_admissible(const HalfChain& half, SphereSpacing spacing) {
   return neighbours_overlap(half);
 }
 
-const char* name_of(ShapeMeasure what) {
-  switch (what) {
-  case ShapeMeasure::area:
-    return "area";
-  case ShapeMeasure::volume:
-    return "volume";
-  case ShapeMeasure::perimeter:
-    return "perimeter";
-  case ShapeMeasure::outline:
-    break;
-  }
-  return "outline";
-}
-
 } // namespace
 
 SphereSpacing sphere_spacing_from_word(const std::string& word) {
@@ -146,6 +132,20 @@ MultisphereTemplate make_multisphere(double a, double b, int count, SphereSpacin
   return mirrored(a, b, spacing, half);
 }
 
+const char* word_of(ShapeMeasure what) {
+  switch (what) {
+  case ShapeMeasure::area:
+    return "area";
+  case ShapeMeasure::volume:
+    return "volume";
+  case ShapeMeasure::perimeter:
+    return "perimeter";
+  case ShapeMeasure::outline:
+    break;
+  }
+  return "outline";
+}
+
 double relative_error(const MultisphereMeasures& measures, const MultisphereTemplate& chain,
                       ShapeMeasure what) {
   switch (what) {
@@ -174,7 +174,7 @@ int sphere_count_for(double aspect_ratio, ShapeMeasure what, double tolerance,
     if (relative_error(measure(chain), chain, what) <= tolerance)
       return 2 * n + 1;
   }
-  refuse("no N up to " + std::to_string(largest_sphere_count) + " keeps the " + name_of(what) +
+  refuse("no N up to " + std::to_string(largest_sphere_count) + " keeps the " + word_of(what) +
          " within " + number(tolerance) + " at aspect ratio " + number(aspect_ratio) +
          ": allow a larger tolerance");
 }
@@ -189,19 +189,6 @@ std::vector<SpacingComparison> compare_spacings(const std::vector<double>& aspec
                       sphere_count_for(s, what, tolerance, SphereSpacing::minimax_outline),
                       sphere_count_for(s, what, tolerance, SphereSpacing::minimax_area)});
   return rows;
-}
-
-std::string table_text(const std::vector<SpacingComparison>& rows) {
-  std::string text =
-      "aspect ratio  measure   paper  minimax_outline (saved)  minimax_area (saved)\n";
-  for (const SpacingComparison& row : rows) {
-    char line[120];
-    std::snprintf(line, sizeof line, "%12g  %-8s  %5d  %15d %7d  %12d %7d\n", row.aspect_ratio,
-                  name_of(row.what), row.paper, row.minimax_outline,
-                  row.paper - row.minimax_outline, row.minimax_area, row.paper - row.minimax_area);
-    text += line;
-  }
-  return text;
 }
 
 } // namespace ellipsoid

@@ -108,6 +108,9 @@ double ellipse_perimeter(double a, double b);
 /// ellipsoid volume, eq. (27), and outline_deviation / b.
 enum class ShapeMeasure { area, volume, perimeter, outline };
 
+/// "area", "volume", "perimeter", "outline".
+const char* word_of(ShapeMeasure what);
+
 double relative_error(const MultisphereMeasures& measures, const MultisphereTemplate& chain,
                       ShapeMeasure what);
 
@@ -126,8 +129,5 @@ struct SpacingComparison {
 /// N needed for `tolerance` of area, volume and outline at each aspect ratio (three rows for each).
 std::vector<SpacingComparison> compare_spacings(const std::vector<double>& aspect_ratios,
                                                 double tolerance);
-
-/// The table of compare_spacings() as text, with the spheres saved against the paper's spacing.
-std::string table_text(const std::vector<SpacingComparison>& rows);
 
 } // namespace ellipsoid

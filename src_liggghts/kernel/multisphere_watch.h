@@ -48,6 +48,8 @@ class ContactWatch {
   bool is_due(std::size_t pair, double travelled) const {
     return !(travelled < watched_[pair].until);
   }
+  /// Travelled distance at which the pair is due (length).
+  double until(std::size_t pair) const { return watched_[pair].until; }
   /// Whether no spheres have to be tested until the pair is due.
   bool is_empty(std::size_t pair) const { return watched_[pair].count == 0; }
 

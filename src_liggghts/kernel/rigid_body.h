@@ -24,6 +24,12 @@ inline Vector3 angular_momentum(const Vector3& omega, const Vector3& inertia,
   return r.to_space({w.x * inertia.x, w.y * inertia.y, w.z * inertia.z});
 }
 
+/// Rotational kinetic energy (energy) at an angular momentum (space frame).
+inline double rotational_energy(const Vector3& momentum, const Vector3& inertia,
+                                const Quaternion& orientation) {
+  return 0.5 * dot(momentum, angular_velocity(momentum, inertia, orientation));
+}
+
 namespace detail {
 
 /// Turns about one body axis by the angle whose half has the tangent `half`: the rational (Cayley)

@@ -18,6 +18,8 @@ fail() {
 echo "--- left alone"
 campaign alone
 [[ -s alone/report.html && -s alone/summary.csv ]] || fail "no report"
+grep -q "LIGGGHTS (Version .*liggghts-ellipsoid" alone/report.html ||
+  fail "the report does not name the engine's version"
 
 echo "--- killed"
 setsid bash "$ELLIPSOID_SOURCE/inputs/campaign.sh" --out killed "${matrix[@]}" --jobs 2 -- \

@@ -70,6 +70,14 @@ def check_space():
                      "--slices", 6)
     assert len(layers) == 6
     assert all(abs(float(row["porosity"]) - (1 - math.pi / 6)) < 1e-3 for row in layers)
+    box = ("--box", 0, 12 * A, 0, 12 * B, 0, 12 * B)
+    (low,) = json_of("bed", name, *box[:-1], 24 * B, "--below-surface", "--columns", 0.05)
+    # 11 semi-axes below the middles of the highest layer, half an ellipsoid above, pi/4 of the plan
+    total = math.pi * A * B * 36 * (11 * B + 2 * B / 3)
+    assert abs(low["total_volume_m3"] / total - 1) < 2e-3, (low, total)
+    _, error = post("bed", name, "--box", 0, 12 * A, 0, 12 * B, 13 * B, 14 * B, "--below-surface",
+                    expect=1)
+    assert "no volume below the free surface" in error
     _, error = post("bed", name, expect=1)
     assert "--box" in error
     (order,) = json_of("orientation", name)

@@ -138,6 +138,28 @@ def check_bad_input(pile):
     assert "nothing" in error
 
 
+def check_threads(pile):
+    """Frames measured in threads: the rows in order, the same digits, errors in their place."""
+    other = wedge(22.0)
+    frames = [frame_text(k, other if k % 3 == 0 else pile[k:]) for k in range(24)]
+    write("frames.dump", "".join(frames))
+    one = rows_of("pile", "frames.dump", "--frame", "all", "--threads", 1)
+    assert [row["timestep"] for row in one] == [str(k) for k in range(24)]
+    for threads in (2, 5):
+        assert rows_of("pile", "frames.dump", "--frame", "all", "--threads", threads) == one
+    frames[5] = frame_text(5, [])  # cannot be measured
+    frames[9] = frames[9][:-100]  # cannot be read
+    write("frames.dump", "".join(frames))
+    for threads in (1, 4):
+        out, error = post("repose", "frames.dump", "--frame", "all", "--threads", threads, "--csv",
+                          "-", expect=1)
+        steps = [line.split(",")[1] for line in out.splitlines()[1:]]
+        assert steps == ["0", "1", "2", "3", "4", "6", "7", "8"], steps
+        first, second = error.splitlines()
+        assert "time step 5" in first and "frame 10" in second, error
+    post("pile", "one.dump", "--threads", "-1", expect=2)
+
+
 def check_digits_warning(pile):
     rounded = [{k: float(f"{v:.6g}") if isinstance(v, float) else v for k, v in row.items()}
                for row in pile]
@@ -175,6 +197,7 @@ def main():
     check_fine_chains(reference)
     check_summary()
     check_bad_input(pile)
+    check_threads(pile)
     check_digits_warning(pile)
     check_speed(pile)
 

@@ -66,8 +66,14 @@ def contact(shape_i, shape_j, distance):
 
 
 def _reduced_radius(shape_i, p, shape_j, q):
-    """1 / (2 sqrt(A B)), Markauskas et al. 2010, eq. 19, with Hertz's A and B (Johnson 1985, eqs.
-    4.3 and 4.4) from the principal curvatures and the angle between their directions."""
+    """1 / (2 sqrt(A B)), Markauskas et al. 2010, eq. 19."""
+    a, b = gap_curvatures(shape_i, p, shape_j, q)
+    return 1.0 / (2.0 * np.sqrt(a * b))
+
+
+def gap_curvatures(shape_i, p, shape_j, q):
+    """Hertz's A and B of the gap A x^2 + B y^2 (Johnson 1985, eqs. 4.3 and 4.4) from the principal
+    curvatures at the surface points p and q and the angle between their directions."""
     k_i, directions_i = _principal_curvatures(shape_i, p)
     k_j, directions_j = _principal_curvatures(shape_j, q)
     cosine = min(1.0, abs(directions_i[0] @ directions_j[0]))
@@ -76,5 +82,4 @@ def _reduced_radius(shape_i, p, shape_j, q):
     total = 0.5 * (k_i.sum() + k_j.sum())  # A + B
     split = 0.5 * np.sqrt(difference_i ** 2 + difference_j ** 2
                           + 2.0 * difference_i * difference_j * np.cos(double_angle))
-    a, b = 0.5 * (total - split), 0.5 * (total + split)
-    return 1.0 / (2.0 * np.sqrt(a * b))
+    return 0.5 * (total - split), 0.5 * (total + split)

@@ -169,6 +169,13 @@ def run(script, ranks=1, timeout=300, check=True, name="in.run"):
     return outcome
 
 
+def run_example(name, variables, ranks=1, timeout=300):
+    """Run inputs/NAME.in with some variables given, in the present folder."""
+    file = Path(os.environ["ELLIPSOID_SOURCE"]) / "inputs" / f"{name}.in"
+    lines = "".join(f"variable {n} index {v}\n" for n, v in variables.items())
+    return run(lines + f"include {file}\n", ranks, timeout, name=f"in.{variables['out']}")
+
+
 def read_dump(file):
     """Frames of a text dump: (steps (F,), {column: (F, N)}); every frame has the same particles."""
     steps, frames, names = [], [], []

@@ -113,6 +113,8 @@ def drop_rows():
 
 def motion_and_compute_rows():
     return (replaced("motion", "planar", ["true", "1", "0", "nan", "on"]) + ended("motion", "planar", 0)
+            + more("motion", "integrator euler", "integrator", "euler")
+            + more("motion", "integrator", "integrator", "")
             + more("motion", "spin no", "spin", "") + more("compute", "all", "arguments", ""))
 
 
@@ -135,7 +137,23 @@ def wall_rows():
             + replaced(c, "yplane", NOT_A_NUMBER) + ended(c, "yplane", 0)
             + replaced(c, "primitive", ["kind"]) + ended(c, "primitive", 0)
             + [(c, GOOD[c].replace("yplane 0.0", "qplane 0.0"), "qplane", ""),
-               (c, GOOD[c].replace("yplane 0.0", "ycylinder 0.01 0 0"), "ycylinder", ""),
+               *[(c, GOOD[c].replace("yplane 0.0", f"ycylinder {v} 0 0"), "ycylinder", v)
+                 for v in NOT_A_NUMBER + NOT_POSITIVE],
+               *[(c, GOOD[c].replace("yplane 0.0", f"zcylinder 0.01 {v} 0"), "zcylinder", v)
+                 for v in NOT_A_NUMBER],
+               *[(c, GOOD[c].replace("primitive type 1 yplane 0.0", f"mesh n_meshes {v} meshes cad"),
+                  "n_meshes", v) for v in [*NOT_AN_INTEGER, "0", "-1", "1001"]],
+               (c, GOOD[c].replace("primitive type 1 yplane 0.0", "mesh n_meshes 1 meshes cad"),
+                "meshes", "cad"),
+               (c, GOOD[c].replace("primitive type 1 yplane 0.0", "mesh n_meshes 1 meshes grain"),
+                "meshes", "grain"),
+               (c, GOOD[c].split("primitive")[0] + "mesh n_meshes", "n_meshes", ""),
+               (c, GOOD[c].split("primitive")[0] + "mesh n_meshes 1 meshes", "meshes", ""),
+               (c, GOOD[c].split("primitive")[0], "primitive", ""),
+               (c, GOOD[c].split("primitive")[0] + "mesh", "n_meshes", ""),
+               (c, GOOD[c].split("primitive")[0] + "mesh n_meshes 1", "meshes", ""),
+               (c, GOOD[c] + " contacts 0", "contacts", "0"),
+               (c, GOOD[c] + " contacts 65", "contacts", "65"),
                (c, GOOD[c].replace("surface smooth ", ""), "surface", ""),
                (c, GOOD[c].replace("surface smooth", "surface default"), "surface", "")])
 

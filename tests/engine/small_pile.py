@@ -5,7 +5,6 @@ formulas. The ranges are wide: so few particles pile up differently for each see
 """
 
 import math
-import os
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -13,9 +12,8 @@ from pathlib import Path
 import numpy as np
 
 from _contact_geometry import contact, shape_matrix
-from _engine import kinetic_energy, read_dump, rotation, run, thermo
+from _engine import kinetic_energy, read_dump, rotation, run_example, thermo
 
-PILING = Path(os.environ["ELLIPSOID_SOURCE"]) / "inputs" / "piling.in"
 PARTICLES, A, B, MASS, GRAVITY = 100, 2.7e-3, 1.15e-3, 2e-5, 9.81
 
 
@@ -23,8 +21,7 @@ def pile(seed):
     """Run the piling input; returns the last frame as (columns {name: (N,)}, thermo rows)."""
     changes = {"seed": seed, "particles": PARTICLES, "dt": 5e-6, "out": f"pile{seed}", "settle": 3.0,
                "y0": 0.05, "dump_time": 0.5, "vtk": "no"}
-    lines = "".join(f"variable {name} index {value}\n" for name, value in changes.items())
-    run(lines + f"include {PILING}\n", name=f"in.pile{seed}")
+    run_example("piling", changes)
     last = sorted(Path(f"pile{seed}").glob("pile.*.dump"))[-1]
     _, columns = read_dump(last)
     return columns, thermo(f"pile{seed}/log.piling")

@@ -13,7 +13,7 @@ if grep -q 'numneigh > 0' tree/src/finish.cpp; then
   echo "-- apply, repeat, revert, repeat"
   "${apply[@]}" apply tree
   touched=$({ diff -rq "$pristine" tree || true; } | wc -l)
-  patched_files=$(cat "${series[@]}" | grep -c '^+++ ')
+  patched_files=$(cat "${series[@]}" | grep '^+++ ' | sort -u | wc -l)
   [[ $touched -eq $patched_files ]] || fail "$touched files changed, the series has $patched_files"
   cp -r tree applied_once
   for _ in "${series[@]}"; do

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <random>
 #include <stdexcept>
@@ -413,7 +412,6 @@ TEST(MultisphereTemplate, MinimaxNeedsFewerSpheres) {
     EXPECT_LE(outline ? row.minimax_outline : row.minimax_area,
               outline ? row.minimax_area : row.minimax_outline);
   }
-  std::puts(table_text(rows).c_str());
 }
 
 TEST(MultisphereTemplate, RefusesBadInput) {

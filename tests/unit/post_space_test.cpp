@@ -129,6 +129,28 @@ TEST(Bed, profiles_of_one_ball) {
   EXPECT_NEAR(rings[1].porosity, 1.0 - (4.0 / 3.0 - inner) / 1.5, 1e-3);
 }
 
+TEST(Bed, below_its_surface_in_a_box_that_is_too_high) {
+  const ParticleSet set = cubic(4, {1.0, 1.0, 1.0}); // the surface: tops of balls over 8 x 8
+  const HeightMap surface(set, all_members(set), 0.01, 0.0);
+  const BedRegion box{BedShape::box, 0.0, 8.0, 0.0, 8.0, 0.0, 0.0, 0.0, 0.0, 20.0};
+  // Over a cell of 2 x 2: 28 below the middles of the highest balls, half a ball over them; the
+  // columns beside the balls' shadow (4 - pi) reach down to the floor.
+  const double cell = 7.0 * pi + 2.0 * pi / 3.0;
+  const BedPorosity p = bed_porosity(set, box, 4000, surface);
+  EXPECT_NEAR(p.total_volume, 16.0 * cell, 2e-3 * p.total_volume);
+  EXPECT_NEAR(p.porosity, 1.0 - 4.0 * (4.0 * pi / 3.0) / cell, 2e-3);
+  // a box whose edges cut columns has the exact share of them
+  BedRegion half = box;
+  half.x1 = 4.003;
+  const BedPorosity q = bed_porosity(set, half, 4000, surface);
+  EXPECT_NEAR(q.total_volume, 0.5 * p.total_volume, 1e-3 * p.total_volume);
+  // a cylinder round one stack of balls
+  const BedRegion round{BedShape::cylinder, 0, 0, 0, 0, 1.0, 1.0, 1.0, 0.0, 20.0};
+  EXPECT_NEAR(bed_porosity(set, round, 4000, surface).total_volume, cell, 2e-3 * cell);
+  // layers above the surface have no porosity
+  EXPECT_EQ(height_profile(set, box, 10, 400, surface).size(), 4u);
+}
+
 TEST(Bed, solid_volume_of_turned_ellipsoids_far_apart) {
   std::mt19937 generator(8);
   ParticleSet set;
@@ -174,6 +196,37 @@ TEST(Contacts, fabric_and_forces) {
   EXPECT_DOUBLE_EQ(f.strong_load_share, 0.625);
   EXPECT_DOUBLE_EQ(f.distribution[2], 0.75 / 0.25); // three at half the mean
   EXPECT_DOUBLE_EQ(f.distribution[10], 0.25 / 0.25);
+}
+
+TEST(Contacts, links_of_force_chains) {
+  ParticleSet set;
+  for (const std::int64_t id : {3, 5, 9}) {
+    set.particles.push_back(ball(1.0, {static_cast<double>(id), 0.0, 0.0}));
+    set.particles.back().id = id;
+  }
+  Frame list;
+  list.place = {"list", 10, 1};
+  list.rows = 4;
+  list.names = {"i", "j", "fx", "fy", "fz", "nx", "ny", "nz"};
+  list.columns = {{3, 5, 9, 5}, {5, 3, 5, 9}, {3, -1, 0, 0}, {4, 0, 2, 0},
+                  {0, 0, 0, 0}, {2, 1, 0, 1}, {0, 0, 1, 0},  {0, 0, 0, 0}};
+  const ContactColumns all{{"i", "j"}, {"fx", "fy", "fz"}, {}};
+  const auto links = force_links(list, all, set);
+  ASSERT_EQ(links.size(), 2u); // rows of a pair are added, in either order of its ids
+  EXPECT_DOUBLE_EQ(links[0].force, 5.0 + 1.0);
+  EXPECT_DOUBLE_EQ(links[1].force, 2.0);
+  EXPECT_EQ(links[0].begin.x, 3.0);
+  EXPECT_EQ(links[0].end.x, 5.0);
+  const auto normal = force_links(list, {{"i", "j"}, {"fx", "fy", "fz"}, {"nx", "ny", "nz"}}, set);
+  EXPECT_DOUBLE_EQ(normal[0].force, 3.0 + 1.0);
+  list.columns[0][2] = 7;
+  try {
+    force_links(list, all, set);
+    FAIL() << "an unknown particle was accepted";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "list:12: frame 1: expected the id of a particle in column \"i\", "
+                               "found 7, which the dump of the particles does not have");
+  }
 }
 
 TEST(Energy, of_a_spinning_ellipsoid) {

@@ -1,0 +1,24 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// compute pair/ellipsoid/local: the contacts of ellipsoids with each other, one per row.
+#ifdef COMPUTE_CLASS
+ComputeStyle(pair/ellipsoid/local,ComputePairEllipsoidLocal)
+#else
+#ifndef LMP_COMPUTE_PAIR_ELLIPSOID_LOCAL_H
+#define LMP_COMPUTE_PAIR_ELLIPSOID_LOCAL_H
+
+#include "ellipsoid_contact_list.h"
+
+namespace LAMMPS_NS {
+
+class ComputePairEllipsoidLocal : public EllipsoidContactList {
+public:
+  ComputePairEllipsoidLocal(class LAMMPS* lmp, int& iarg, int narg, char** arg)
+      : EllipsoidContactList(lmp, iarg, narg, arg, ContactPartner::particle) {}
+  void init() override;
+};
+
+} // namespace LAMMPS_NS
+
+#endif
+#endif

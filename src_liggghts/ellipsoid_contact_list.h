@@ -1,0 +1,49 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// What computes pair/ellipsoid/local and wall/ellipsoid/local share: a row per contact.
+#ifndef ELLIPSOID_CONTACT_LIST_H
+#define ELLIPSOID_CONTACT_LIST_H
+
+#include "compute.h"
+#include "ellipsoid_contact_caller.h"
+
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class EllipsoidContactList : public Compute {
+public:
+  void compute_local() override;
+  double memory_usage() override;
+
+protected:
+  using ContactRecord = LIGGGHTS::ContactModels::ContactRecord;
+  using EllipsoidContactCaller = LIGGGHTS::ContactModels::EllipsoidContactCaller;
+
+  enum class ContactPartner { particle, wall };
+
+  EllipsoidContactList(class LAMMPS* lmp, int& iarg, int narg, char** arg, ContactPartner partner);
+
+  /// The contacts of these, in this order. Called in every init().
+  void take_callers(const std::vector<EllipsoidContactCaller*>& callers);
+
+private:
+  enum class Property : int; // in the order of the words on the pages
+
+  ContactPartner partner_;
+  std::vector<EllipsoidContactCaller*> callers_;
+  std::vector<Property> properties_;
+  std::vector<double> values_;
+  std::vector<double*> rows_;
+
+  int width(Property property) const;
+  /// Whether this rank lists the contact; the particle with the smaller id comes first then.
+  bool arrange(ContactRecord& record) const;
+  void append(const ContactRecord& record, int caller);
+  void append(const ContactRecord& record, int caller, Property property);
+  void append(const ellipsoid::Vector3& v);
+};
+
+} // namespace LAMMPS_NS
+
+#endif

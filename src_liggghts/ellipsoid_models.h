@@ -1,0 +1,71 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Which of the host's contact models give wrong results for ellipsoids, and why
+// (doc/contact_models.md has the whole table).
+#ifndef ELLIPSOID_MODELS_H
+#define ELLIPSOID_MODELS_H
+
+#include <string>
+
+namespace LIGGGHTS {
+namespace ContactModels {
+
+/// Of a kind ("normal", "tangential", ...) as contact_match() has it.
+struct UnsuitableModel {
+  const char* kind;
+  const char* keyword; ///< as the commands have it
+  const char* name;
+  const char* reason_and_remedy;
+};
+
+constexpr UnsuitableModel unsuitable_models[] = {
+    {"normal", "model", "edinburgh",
+     "pushes at the centres, which turns no ellipsoid; use 'model luding' or 'hooke/hysteresis'"},
+    {"normal", "model", "edinburgh/stiffness",
+     "pushes at the centres, which turns no ellipsoid; use 'model luding' or 'hooke/hysteresis'"},
+    {"normal", "model", "thornton_ning",
+     "pushes at the centres, which turns no ellipsoid; use 'model luding' or 'hooke/hysteresis'"},
+    {"cohesion", "cohesion", "easo/capillary/viscous",
+     "acts across a gap, which is not known for ellipsoids; use 'cohesion sjkr' or 'sjkr2'"},
+    {"cohesion", "cohesion", "washino/capillary/viscous",
+     "acts across a gap, which is not known for ellipsoids; use 'cohesion sjkr' or 'sjkr2'"},
+    {"rolling_friction", "rolling_friction", "epsd3",
+     "damps by the moment of inertia of spheres; use 'rolling_friction epsd'"},
+};
+
+/// These read what `model luding` keeps of a contact, without looking whether it is there.
+constexpr UnsuitableModel needs_model_luding[] = {
+    {"tangential", "tangential", "tan_luding", "needs 'model luding'"},
+    {"rolling_friction", "rolling_friction", "luding", "needs 'model luding'"},
+};
+
+/// What is wrong with one of the chosen models, or an empty string.
+/// @param[in] models has contact_match(kind, name)
+template <typename Models> std::string unsuitable_model(Models& models) {
+  for (const UnsuitableModel& m : unsuitable_models)
+    if (models.contact_match(m.kind, m.name))
+      return std::string(m.keyword) + " " + m.name + " does not work with ellipsoids: it " +
+             m.reason_and_remedy;
+  for (const UnsuitableModel& m : needs_model_luding)
+    if (models.contact_match(m.kind, m.name) && !models.contact_match("normal", "luding"))
+      return std::string(m.keyword) + " " + m.name + " " + m.reason_and_remedy;
+  return {};
+}
+
+/// What is wrong with one of the settings, or an empty string: the host's models refuse these for
+/// non-spherical particles too, but only at the first contact.
+inline std::string unsuitable_setting(int count, char** arguments) {
+  for (int k = 0; k + 1 < count; ++k) {
+    const std::string keyword = arguments[k];
+    if ((keyword == "computeElasticPotential" || keyword == "computeDissipatedEnergy") &&
+        std::string(arguments[k + 1]) == "on")
+      return "keyword '" + keyword + "' has the value 'on', which leaves out the energy of rotation " +
+             "of ellipsoids; allowed is 'off'";
+  }
+  return {};
+}
+
+} // namespace ContactModels
+} // namespace LIGGGHTS
+
+#endif

@@ -1,0 +1,240 @@
+"""The host's contact models with both surfaces of ellipsoids.
+
+Oracles: spheres (a = b = c; N = 1) under each model move as under the host's own pair_style gran and
+fix wall/gran; forces of ellipsoids have no moment left over: those of pairs turn both bodies by
+opposite moments about any point, those of walls act at the contact point; cohesive forces in closed
+form; models that cannot work are refused with the reason.
+"""
+
+import math
+import unittest
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+
+from _contact_rows import (PAIR_COLUMNS, WALL_COLUMNS, crowd, crowd_setup, floor_and_lid, lists,
+                           named, read_rows, refusal)
+from _engine import SPHERE_COLUMNS, Setup, dump, read_dump, run, vectors
+from _multisphere import subspheres
+from multisphere_sphere_limit import STEPS, TIME_STEP, impact
+
+PAPER = "model hertz/viscous tangential history/viscous"
+NORMAL = ("hertz", "hertz/stiffness", "hooke", "hooke/stiffness", "hooke/hysteresis", "luding")
+WITHOUT_ROLLING = [
+    *(f"model {normal} tangential history" for normal in NORMAL),
+    "model hertz", "model hertz tangential no_history", "model luding tangential tan_luding",
+    "model hertz tangential history cohesion sjkr", "model hertz tangential history cohesion sjkr2",
+    "model hooke/stiffness tangential no_history cohesion sjkr2",
+    f"{PAPER} cohesion sjkr", f"{PAPER} cohesion sjkr2"]
+WITH_ROLLING = [
+    *(f"model hertz tangential history rolling_friction {r}" for r in ("cdt", "epsd", "epsd2")),
+    "model luding tangential tan_luding rolling_friction luding",
+    f"{PAPER} cohesion sjkr rolling_friction cdt", f"{PAPER} rolling_friction epsd2"]
+COHESION_ENERGY_DENSITY = 2e5
+RELATIVE = 1e-10  # rounding, which two impacts have amplified
+PROPERTIES = {
+    "kn": 3e7, "kt": 2e7, "gamman": 1e4, "gammat": 1e4,
+    "coefficientRollingFriction": 0.1, "coefficientRollingViscousDamping": 0.0,
+    "cohesionEnergyDensity": COHESION_ENERGY_DENSITY, "coefficientMaxElasticStiffness": 4.0,
+    "coefficientAdhesionStiffness": 0.3, "coefficientPlasticityDepth": 0.02,
+    "LoadingStiffness": 1e4, "UnloadingStiffness": 3.0, "pullOffForce": 0.0,
+    "coeffFrictionStiffness": 0.3, "coeffRollingStiffness": 0.2,
+    "FluidViscosity": 0.9, "FrictionViscosity": 0.5}
+LINEAR = {"kn": 1e4, "kt": 8e3, "gamman": 400.0, "gammat": 200.0}  # of hooke/stiffness
+
+
+def with_properties(script, law, **changed):
+    """The script with the properties of all models before its pair_style."""
+    values = {**PROPERTIES, **(LINEAR if "hooke/stiffness" in law else {}), **changed}
+    text = "fix velocity all property/global characteristicVelocity scalar 0.5\n"
+    for k, (name, value) in enumerate(values.items()):
+        text += f"fix model{k} all property/global {name} peratomtypepair 1 {value!r}\n"
+    return script.replace("pair_style", text + "pair_style", 1)
+
+
+def spheres(law, surface, floor, **changed):
+    """Frames of forces (F, 2, 3) and torques of an oblique impact; surface None: the host's own."""
+    name = "_".join([law.replace("/", "-").replace(" ", "."), surface or "host", str(floor)])
+    setup = Setup(time_step=TIME_STEP, pair=f"gran/ellipsoid {law} surface {surface}")
+    motion, fix = "nve/ellipsoid", f"wall/gran/ellipsoid {law} surface {surface}"
+    if surface is None:
+        setup.pair, setup.atom_style, motion = f"gran {law}", "sphere", "nve/sphere"
+        fix = f"wall/gran {law}"
+    script = with_properties(setup.with_particles(
+        impact(1.8 if surface == "multisphere" else 1.0), f"{name}.data"), law, **changed)
+    if surface == "multisphere":
+        script += "neigh_modify page 1000000\n" + subspheres(1)
+    if floor:
+        script += f"fix floor all {fix} primitive type 1 zplane 0.0\n"
+    script += f"fix motion all {motion}\n" + dump(f"{name}.dump", columns=SPHERE_COLUMNS)
+    run(script + f"run {STEPS}\n", name=f"in.{name}")
+    _, columns = read_dump(Path(f"{name}.dump"))
+    return vectors(columns, "fx", "fy", "fz"), vectors(columns, "tqx", "tqy", "tqz")
+
+
+class SphereLimit(unittest.TestCase):
+    def compare(self, law, tolerance, floor=True, **changed):
+        expected = spheres(law, None, floor, **changed)
+        touching = np.abs(expected[0]).max(axis=2) > 0.0
+        self.assertGreater(touching.sum(axis=0).min(), 50, law)
+        for surface in "smooth", "multisphere":
+            found = spheres(law, surface, floor, **changed)
+            errors = [np.abs(f - e).max() / np.abs(e).max() for f, e in zip(found, expected)
+                      if np.abs(e).max() > 0.0]
+            print(f"{law}, {surface}{'' if floor else ', no floor'}: {max(errors):.1e}")
+            self.assertLess(max(errors), tolerance, f"{law}, {surface}")
+
+    def test_models_without_rolling_friction(self):
+        with ThreadPoolExecutor(2) as pool:
+            list(pool.map(lambda law: self.compare(law, RELATIVE), WITHOUT_ROLLING))
+
+    def test_rolling_friction_of_pairs(self):
+        for law in WITH_ROLLING:
+            self.compare(law, RELATIVE, floor=False)
+
+    def test_rolling_friction_at_walls(self):
+        """There the host's spheres roll by omega (R - h/2) / (R - h), ours by omega; the direction
+        alone, which cdt needs, is the same."""
+        self.compare("model hertz tangential history rolling_friction cdt", RELATIVE)
+        for model in "epsd", "epsd2":
+            self.compare(f"model hertz tangential history rolling_friction {model}", 0.02)
+
+    def test_rolling_dashpot(self):
+        """Its moment of inertia is about the contact point, the host's spheres take 1.4 m R^2."""
+        self.compare("model hertz tangential history rolling_friction epsd", 0.02, floor=False,
+                     coefficientRollingViscousDamping=0.3)
+
+
+def crowd_rows(law, surface, name, step=1, **changed):
+    """Columns of the particles, rows of pairs and of walls, at a step of a crowd."""
+    setup = crowd_setup(surface)
+    setup.pair = f"gran/ellipsoid {law} surface {surface}"
+    axes = (2.6e-3, 2.3e-3, 1.8e-3) if surface == "smooth" else (2.5e-3, 1.7e-3, 1.7e-3)
+    script = setup.with_particles(crowd(axes), f"{name}.data") + "neigh_modify page 1000000\n"
+    if surface != "smooth":
+        script += subspheres(5)
+    script += floor_and_lid(surface, law) + "fix motion all nve/ellipsoid\n" + lists(name) + dump(f"{name}.dump") + "run 1\n"
+    run(with_properties(script, law, **changed), name=f"in.{name}")
+    _, columns = read_dump(f"{name}.dump")
+    return (columns, named(read_rows(f"{name}.pairs")[step], PAIR_COLUMNS),
+            named(read_rows(f"{name}.walls")[step], WALL_COLUMNS))
+
+
+def moments(columns, pairs, walls):
+    """Torques on the particles (N, 3), the moments of the listed forces about their centres (N, 3),
+    and the torques' scale."""
+    torque = vectors(columns, "tqx", "tqy", "tqz")[-1]
+    listed = np.zeros_like(torque)
+    for rows, key, centre, sign in ((pairs, "id_1", 1, 1.0), (pairs, "id_2", 2, -1.0),
+                                    (walls, "id", 1, 1.0)):
+        arm = vectors(rows, "px", "py", "pz") - vectors(rows, *(f"{n}_{centre}" for n in "xyz"))
+        np.add.at(listed, rows[key].astype(int) - 1,
+                  sign * np.cross(arm, vectors(rows, "fx", "fy", "fz")))
+    return torque, listed, np.abs(listed).max()
+
+
+class Ellipsoids(unittest.TestCase):
+    def test_forces_act_at_the_contact_points(self):
+        for surface in "smooth", "multisphere contacts 16":
+            worst = 0.0
+            for k, law in enumerate(WITHOUT_ROLLING):
+                torque, listed, scale = moments(*crowd_rows(law, surface, f"{surface[0]}{k}"))
+                self.assertLess(np.abs(torque - listed).max() / scale, 1e-11, law)
+                worst = max(worst, np.abs(torque - listed).max() / scale)
+            print(f"surface {surface}, {len(WITHOUT_ROLLING)} models: torques and moments of the "
+                  f"forces differ by {worst:.1e}")
+
+    def test_rolling_friction_adds_opposite_couples(self):
+        for surface in "smooth", "multisphere contacts 16":
+            for k, law in enumerate(WITH_ROLLING):
+                columns, pairs, walls = crowd_rows(law, surface, f"{surface[0]}r{k}")
+                torque, listed, scale = moments(columns, pairs, walls)
+                couples = torque - listed
+                free = np.ones(len(couples), bool)
+                free[walls["id"].astype(int) - 1] = False
+                self.assertGreater(np.abs(couples[free]).max() / scale, 1e-9, law)
+                # walls take up couples; without them the couples of all particles cancel
+                linked = set(zip(pairs["id_1"].astype(int) - 1, pairs["id_2"].astype(int) - 1))
+                for group in self.groups(len(couples), linked):
+                    if free[group].all():
+                        self.assertLess(np.abs(couples[group].sum(axis=0)).max() / scale, 1e-12, law)
+
+    @staticmethod
+    def groups(count, links):
+        """Index lists of particles that are linked with each other."""
+        label = list(range(count))
+        for _ in range(count):
+            for i, j in links:
+                label[i] = label[j] = min(label[i], label[j])
+        return [[i for i in range(count) if label[i] == k] for k in set(label)]
+
+    def test_cohesive_forces(self):
+        """Those with and without cohesion in the same state, against the host's definition of the
+        area: sjkr2 by R and h alone, sjkr with a wall the section of the sphere of radius R."""
+        for surface in "smooth", "multisphere contacts 16":
+            for model in "sjkr", "sjkr2":
+                law = f"{PAPER} cohesion {model}"
+                sticky, dry = (crowd_rows(law, surface, f"{model}{d:g}", 0,
+                                          cohesionEnergyDensity=d)
+                               for d in (COHESION_ENERGY_DENSITY, 0.0))
+                for rows, dry_rows, area in (
+                        (sticky[1], dry[1], self.pair_area if model == "sjkr2" else None),
+                        (sticky[2], dry[2], self.wall_area if model == "sjkr2" else self.section)):
+                    if area is None:
+                        continue
+                    pull = dry_rows["fn"] - rows["fn"]
+                    expected = COHESION_ENERGY_DENSITY * area(rows["radius"], rows["overlap"])
+                    np.testing.assert_allclose(pull, expected, rtol=0, atol=1e-12 * np.abs(dry_rows["fn"]).max())
+
+    @staticmethod
+    def pair_area(radius, overlap):
+        return 4.0 * math.pi * radius * overlap
+
+    @staticmethod
+    def wall_area(radius, overlap):
+        return 2.0 * math.pi * radius * overlap
+
+    @staticmethod
+    def section(radius, overlap):
+        return math.pi * (radius ** 2 - (radius - overlap) ** 2)
+
+
+class Refused(unittest.TestCase):
+    LAWS = [("model edinburgh tangential history", "model edinburgh", "luding"),
+            ("model edinburgh/stiffness tangential history", "model edinburgh/stiffness", "luding"),
+            ("model thornton_ning tangential history", "model thornton_ning", "luding"),
+            ("model hertz tangential history cohesion easo/capillary/viscous",
+             "cohesion easo/capillary/viscous", "sjkr"),
+            ("model hertz tangential history cohesion washino/capillary/viscous",
+             "cohesion washino/capillary/viscous", "sjkr"),
+            ("model hertz tangential history rolling_friction epsd3", "rolling_friction epsd3",
+             "epsd")]
+
+    def test_models_that_need_another(self):
+        for law, name in (("model hertz tangential tan_luding", "tan_luding"),
+                          ("model hertz tangential history rolling_friction luding", "luding")):
+            line = refusal("", Setup(pair=f"gran/ellipsoid {law} surface smooth"))
+            self.assertIn(f"{name} needs 'model luding'", line)
+
+    def test_energies_that_leave_rotation_out(self):
+        for keyword in "computeElasticPotential", "computeDissipatedEnergy":
+            law = f"model hooke tangential history surface smooth {keyword} on"
+            line = refusal("", Setup(pair=f"gran/ellipsoid {law}"))
+            self.assertIn(f"'{keyword}' has the value 'on'", line)
+
+    def test_models_that_cannot_work(self):
+        for surface in "smooth", "multisphere":
+            for law, *words in self.LAWS:
+                line = refusal("", Setup(pair=f"gran/ellipsoid {law} surface {surface}"))
+                for word in ("gran/ellipsoid", "does not work with ellipsoids", *words):
+                    self.assertIn(word, line)
+        for law, *words in self.LAWS:
+            line = refusal(f"fix floor all wall/gran/ellipsoid {law} surface smooth primitive type 1 "
+                           "zplane 0.0\n")
+            for word in ("wall/gran/ellipsoid", "does not work with ellipsoids", *words):
+                self.assertIn(word, line)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

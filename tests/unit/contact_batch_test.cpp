@@ -1,0 +1,125 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Contacts searched in batches against the search of single pairs.
+#include "contact_batch.h"
+#include "contact_families.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+using namespace ellipsoid;
+using namespace contact_test;
+
+namespace {
+
+struct Case {
+  Pair pair;
+  Vector3 start;
+};
+
+/// Pairs near contact, with a start that is off by an angle between 1e-10 and 0.3 rad.
+std::vector<Case> make_cases(Family family, int count) {
+  PairGenerator random(40100);
+  std::vector<Case> cases;
+  while (static_cast<int>(cases.size()) < count) {
+    Case c{random.pair(family, 20.0, 20.0, random.uniform(-0.005, 0.1)), {}};
+    const ContactGeometry g =
+        find_contact(c.pair.i.shape, c.pair.j.shape, c.pair.centre_distance);
+    c.start = normalized(g.normal + random.log_uniform(1e-10, 0.3) * random.direction());
+    cases.push_back(c);
+  }
+  return cases;
+}
+
+/// Results of all cases, in batches of at most `batch_size`.
+std::vector<ContactGeometry> solve(const std::vector<Case>& cases, int batch_size) {
+  std::vector<ContactGeometry> results;
+  ContactBatch batch;
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    const Pair& p = cases[k].pair;
+    batch.add(p.i.shape, p.j.shape, p.centre_distance, cases[k].start);
+    if (batch.size() < batch_size && k + 1 < cases.size())
+      continue;
+    batch.solve();
+    for (int m = 0; m < batch.size(); ++m)
+      results.push_back(batch.geometry(m));
+    batch.clear();
+  }
+  return results;
+}
+
+bool same_bits(const ContactGeometry& a, const ContactGeometry& b) {
+  const auto values = [](const ContactGeometry& c) {
+    return std::vector<double>{c.normal.x,         c.normal.y,  c.normal.z,
+                               c.point.x,          c.point.y,   c.point.z,
+                               c.overlap,          c.reduced_radius, c.curvature_radius_i,
+                               c.curvature_radius_j};
+  };
+  const std::vector<double> p = values(a), q = values(b);
+  return a.status == b.status && std::memcmp(p.data(), q.data(), p.size() * sizeof(double)) == 0;
+}
+
+class ContactBatchTest : public testing::TestWithParam<Family> {};
+
+} // namespace
+
+// The normal to a few of its stated errors (1e-12 rad), point and radii to that times the aspect
+// ratio's share (radii change by up to 60 per rad at aspect 20), the overlap to rounding.
+TEST_P(ContactBatchTest, AgreesWithTheSearchOfSinglePairs) {
+  const std::vector<Case> cases = make_cases(GetParam(), 20000);
+  const std::vector<ContactGeometry> results = solve(cases, ContactBatch::capacity);
+  int touching = 0, apart = 0;
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    const Pair& p = cases[k].pair;
+    const ContactGeometry single = find_contact(p.i.shape, p.j.shape, p.centre_distance);
+    const ContactGeometry& batch = results[k];
+    ASSERT_EQ(batch.status, single.status) << "pair " << k;
+    if (single.status == ContactStatus::separated) {
+      ++apart;
+      ASSERT_LT(overlap_along(p.i.shape, p.j.shape, p.centre_distance, batch.normal), 0.0);
+      continue;
+    }
+    ++touching;
+    const double size = norm(p.centre_distance);
+    ASSERT_LT(norm(batch.normal - single.normal), 3e-12) << "pair " << k;
+    ASSERT_LT(norm(batch.point - single.point), 3e-11 * size) << "pair " << k;
+    ASSERT_LT(std::fabs(batch.overlap - single.overlap), 1e-13 * size) << "pair " << k;
+    ASSERT_LT(std::fabs(batch.reduced_radius / single.reduced_radius - 1.0), 1e-9) << "pair " << k;
+    ASSERT_LT(std::fabs(batch.curvature_radius_i / single.curvature_radius_i - 1.0), 1e-9);
+    ASSERT_LT(std::fabs(batch.curvature_radius_j / single.curvature_radius_j - 1.0), 1e-9);
+  }
+  EXPECT_GT(touching, 10000);
+  EXPECT_GT(apart, 500);
+}
+
+// Whoever else is in the batch: the same bits.
+TEST_P(ContactBatchTest, ResultsDoNotDependOnTheCompany) {
+  const std::vector<Case> cases = make_cases(GetParam(), 2000);
+  const std::vector<ContactGeometry> full = solve(cases, ContactBatch::capacity);
+  for (const int size : {1, 3, 17}) {
+    const std::vector<ContactGeometry> results = solve(cases, size);
+    for (std::size_t k = 0; k < cases.size(); ++k)
+      ASSERT_TRUE(same_bits(results[k], full[k])) << "pair " << k << ", batches of " << size;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, ContactBatchTest,
+                         testing::Values(Family::prolate, Family::oblate, Family::triaxial),
+                         [](const auto& info) { return name(info.param); });
+
+// Two coinciding bodies, and a start across the line of centres: nothing to trust in the batch.
+TEST(ContactBatch, LeavesTroublesomePairsToTheSearchOfSinglePairs) {
+  const EllipsoidShape slender = make_shape({20.0, 1.0, 1.0}, Quaternion{});
+  const EllipsoidShape crossed =
+      make_shape({20.0, 1.0, 1.0}, normalized(Quaternion{1.0, 0.0, 0.0, 1.0}));
+  const Vector3 distance{1e-3, 1e-3, 0.2};
+  ContactBatch batch;
+  batch.add(slender, crossed, distance, {1.0, 0.0, 0.0});
+  batch.add(slender, slender, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0});
+  batch.solve();
+  EXPECT_TRUE(same_bits(batch.geometry(0),
+                        find_contact_from({1.0, 0.0, 0.0}, slender, crossed, distance)));
+  EXPECT_TRUE(same_bits(batch.geometry(1),
+                        find_contact_from({0.0, 1.0, 0.0}, slender, slender, {0.0, 0.0, 0.0})));
+}
