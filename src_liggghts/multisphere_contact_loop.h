@@ -43,9 +43,10 @@ private:
   enum { key_sum, key_difference }; // offsets in a slot
   using SpherePair = ellipsoid::ContactWatch::SpherePair;
 
-  /// A search finds the spheres that may touch within so many time steps at the present velocities,
-  /// but not nearer nor farther than these shares of both radii of the bodies' middles.
-  static constexpr double look_ahead = 12.0;
+  /// A search finds the spheres that may touch within so many time steps at the present velocities;
+  /// within fewer steps for fine chains, where a gap has the more spheres the wider it is. It is no
+  /// nearer nor farther than these shares of both radii of the bodies' middles.
+  static constexpr double look_ahead = 12.0, look_ahead_of_chain = 200.0;
   static constexpr double smallest_gap_share = 1e-4, largest_gap_share = 0.1;
 
   ellipsoid_host::MultisphereParticles particles_;
@@ -88,20 +89,21 @@ private:
              pose.scale * pose.chain->half_length() * norm(ellipsoid_host::vector(atom->omega[k]));
     };
     const double radii = atom->shape[i][1] + atom->shape[j][1];
-    return std::clamp(look_ahead * this->update->dt * (speed(i) + speed(j)),
+    const int spheres =
+        std::max(particles_.pose(i).chain->count(), particles_.pose(j).chain->count());
+    const double steps = std::min(look_ahead, look_ahead_of_chain / spheres);
+    return std::clamp(steps * this->update->dt * (speed(i) + speed(j)),
                       smallest_gap_share * radii, largest_gap_share * radii);
   }
 
   void find_touching(int i, int j, std::size_t pair, const ellipsoid::Vector3& distance) {
-    const ellipsoid::ChainPose &pose_i = particles_.pose(i), &pose_j = particles_.pose(j);
     found_.clear();
     touching_.clear();
-    ellipsoid::SphereContact contact;
-    for (SpherePair* s = watch_.begin(pair); s != watch_.end(pair); ++s)
-      if (touch(pose_i, pose_j, distance, s->sphere_i, s->sphere_j, contact)) {
-        found_.push_back(contact);
-        touching_.push_back(s);
-      }
+    watch_.for_each_touching(pair, particles_.pose(i), particles_.pose(j), distance,
+                             [this](SpherePair& s, const ellipsoid::SphereContact& contact) {
+                               found_.push_back(contact);
+                               touching_.push_back(&s);
+                             });
     counts_.values[ContactCounts::tested] +=
         this->share(j) * static_cast<double>(watch_.end(pair) - watch_.begin(pair));
   }

@@ -7,7 +7,7 @@ namespace ellipsoid {
 
 void ContactWatch::restart(std::size_t pairs) {
   watched_.assign(pairs, Watched());
-  spheres_.assign(1, SpherePair{0, 0, -1}); // the first place of pairs that have none
+  spheres_.assign(1, SpherePair()); // the first place of pairs that have none
 }
 
 int ContactWatch::search(std::size_t pair, double travelled, const ChainPose& i,
@@ -19,17 +19,28 @@ int ContactWatch::search(std::size_t pair, double travelled, const ChainPose& i,
     watched.until = travelled + usable_share * bound;
     return 0;
   }
-  found_.clear();
-  double largest_overlap = -search_reach * gap;
-  const int tested = for_each_near_pair(
-      i, j, centre_distance, search_reach * gap, [&](int k, int l, double overlap) {
-        largest_overlap = std::fmax(largest_overlap, overlap);
-        if (overlap > -gap)
-          found_.push_back({static_cast<short>(k), static_cast<short>(l), -1});
-      });
-  watched.until = travelled + usable_share * (found_.empty() ? -largest_overlap : gap);
+  double nearest = gap;
+  int tested = find(i, j, centre_distance, gap);
+  if (found_.empty()) {
+    nearest = second_reach * gap;
+    tested += for_each_near_pair(
+        i, j, centre_distance, second_reach * gap,
+        [&](int, int, double overlap) { nearest = std::fmin(nearest, -overlap); });
+  }
+  watched.until = travelled + usable_share * nearest;
   keep_found(pair);
   return tested;
+}
+
+/// @return how many distances between spheres were computed
+int ContactWatch::find(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance,
+                       double gap) {
+  found_.clear();
+  return for_each_near_pair(i, j, centre_distance, gap, [&](int k, int l, double overlap) {
+    if (overlap > -gap)
+      found_.push_back({i.chain->centre(k), j.chain->centre(l), i.chain->radius(k),
+                        j.chain->radius(l), static_cast<short>(k), static_cast<short>(l), -1});
+  });
 }
 
 /// A pair whose room is too small gets a new one of double size at the end.

@@ -29,15 +29,16 @@ class ContactWatch {
  public:
   /// One pair of spheres to test.
   struct SpherePair {
+    double centre_i, centre_j, radius_i, radius_j; ///< in lengths of the chains
     short sphere_i, sphere_j;
     short slot; ///< of its history; -1: none (the caller's)
   };
 
   /// Travels are sums of many terms, and gaps good to search_rounding: a gap is used up to this share.
   static constexpr double usable_share = 1.0 - 1e-6;
-  /// A search looks so many times farther than for the spheres to test: a pair of chains in between
-  /// rests until the nearest of them could touch.
-  static constexpr double search_reach = 4.0;
+  /// Where no spheres have to be tested a search looks so many times farther: the pair of chains rests
+  /// until the nearest of them could touch.
+  static constexpr double second_reach = 4.0;
 
   /// Forgets everything; `pairs` pairs of chains, all of them due.
   void restart(std::size_t pairs);
@@ -63,6 +64,21 @@ class ContactWatch {
   SpherePair* begin(std::size_t pair) { return &spheres_[watched_[pair].first]; }
   SpherePair* end(std::size_t pair) { return begin(pair) + watched_[pair].count; }
 
+  /// Calls on_touch(SpherePair&, const SphereContact&) for all spheres to test that touch.
+  template <class OnTouch>
+  void for_each_touching(std::size_t pair, const ChainPose& i, const ChainPose& j,
+                         const Vector3& centre_distance, const OnTouch& on_touch) {
+    const Vector3 axis_i = i.scale * i.axis, axis_j = j.scale * j.axis;
+    SphereContact contact;
+    for (SpherePair *s = begin(pair), *last = end(pair); s != last; ++s) {
+      const Vector3 distance = centre_distance + (s->centre_j * axis_j - s->centre_i * axis_i);
+      const double sum = (1.0 + search_rounding) * (i.scale * s->radius_i + j.scale * s->radius_j);
+      if (dot(distance, distance) < sum * sum &&
+          touch(i, j, centre_distance, s->sphere_i, s->sphere_j, contact))
+        on_touch(*s, static_cast<const SphereContact&>(contact));
+    }
+  }
+
  private:
   struct Watched {
     double until = 0.0; ///< travelled distance at which it is due (length)
@@ -73,6 +89,7 @@ class ContactWatch {
   std::vector<SpherePair> spheres_;
   std::vector<SpherePair> found_;
 
+  int find(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance, double gap);
   void keep_found(std::size_t pair);
 };
 

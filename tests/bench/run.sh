@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # What a particle and a time step cost: all shapes side by side, as ratios to spheres.
 #
-#   bash tests/bench/run.sh                 everything, about 15 minutes on an idle machine
+#   bash tests/bench/run.sh                 everything, less than 20 minutes on an idle machine
 #   bash tests/bench/run.sh --short         a minute or two
 #   bash tests/bench/run.sh --help          cases, shapes, repeats, where time goes
 #

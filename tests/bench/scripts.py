@@ -29,12 +29,16 @@ class Shape:
         return "granular" if self.kind in ("sphere", "rigid") else "granular/ellipsoid"
 
     @property
+    def contacts(self):
+        """Room for simultaneous contacts of one pair of multi-spheres."""
+        return 8 if self.subspheres < 10 else 16 if self.subspheres < 30 else 64
+
+    @property
     def pair(self):
-        contacts = " contacts 24" if self.subspheres > 20 else ""
         return {"sphere": f"gran {LAW}", "rigid": f"gran {LAW}",
                 "superquadric": f"gran {LAW} surface superquadric",
                 "smooth": f"gran/ellipsoid {LAW} surface smooth",
-                "multisphere": f"gran/ellipsoid {LAW} surface multisphere{contacts}"}[self.kind]
+                "multisphere": f"gran/ellipsoid {LAW} surface multisphere contacts {self.contacts}"}[self.kind]
 
     @property
     def wall(self):
@@ -121,7 +125,8 @@ def moving_bodies(shape, case, start):
     if case == "flow":
         script += "group base type 2\nneigh_modify exclude group base base\n"
     elif case != "cloud":
-        script += f"fix floor all {shape.wall} primitive type 1 zplane 0.0\n"
+        settings = f" contacts {shape.contacts}" if shape.kind == "multisphere" else ""
+        script += f"fix floor all {shape.wall} primitive type 1 zplane 0.0{settings}\n"
     return script + shape.motion + "\n"
 
 

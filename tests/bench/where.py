@@ -9,17 +9,17 @@ from scripts import SPHERE
 
 #: part of the work: what the names of its functions look like; the first match counts
 PARTS = (
-    ("contact geometry", r"ellipsoid::(?!.*rotat)|find_contact|MathExtraLiggghtsNonspherical|"
-                         r"SurfaceModel<1[0-9]*>|MultisphereParticles|update_shapes|superquadric::"),
+    ("contact law", r"tangential_force|advance_spring|add_contact_force|TangentialModel|NormalModel|"
+                    r"surfacesIntersectNonSpherical"),
+    ("contact geometry", r"ellipsoid::(?!.*(?:rotat|turn|angular|inertia|Rotation))|SurfacePaths|"
+                         r"MathExtraLiggghtsNonspherical|SurfaceModel<|MultisphereParticles|"
+                         r"update_shapes|\bSuperquadric::"),
     ("walls", r"[Ww]all|Primitive"),
-    ("pair search", r"[Nn]eigh|half_bin|granular_|check_distance|bin_atoms|coord2bin|pbc|"
-                    r"FixContactHistory|find_partner"),
-    ("integration", r"FixNVE|FixNve|initial_integrate|final_integrate|FixMultisphere|MultiNode|"
-                    r"Multisphere|FixGravity|rotat"),
-    ("communication", r"[Cc]omm\b|Comm::|pack_|unpack_|MPI|AtomVec|mca_|opal_|ompi_"),
-    ("pair loop and law", r"ContactModel|ContactLoop|compute_force|PairGran|Granular|surfacesIntersect"),
+    ("pair loop and inlined law", r"ContactLoop|PairStyles::Granular|PairGran|compute_force"),
+    ("pair search", r"[Nn]eigh|FixContactHistory|pbc"),
+    ("integration", r"FixNVE|FixMultisphere|[Mm]ultisphere|FixGravity|ellipsoid::"),
+    ("communication", r"Comm\w*::|pack_|unpack_|MPI|AtomVec|mca_|opal_|ompi_"),
 )
-STEPS = {"sphere": 4, "smooth": 4, "multisphere": 4, "superquadric": 2, "rigid": 2}
 FEW, MANY = 100, 300  # steps of the two runs whose instructions are subtracted
 
 

@@ -71,10 +71,12 @@ struct Tumbling {
 /// Touching pairs among those that the watch has, ascending.
 Pairs watched(ContactWatch& watch, const Tumbling& bodies) {
   Pairs pairs;
-  SphereContact contact;
-  for (const auto* s = watch.begin(1); s != watch.end(1); ++s)
-    if (touch(bodies.i, bodies.j, bodies.centre_distance, s->sphere_i, s->sphere_j, contact))
-      pairs.emplace_back(s->sphere_i, s->sphere_j);
+  watch.for_each_touching(1, bodies.i, bodies.j, bodies.centre_distance,
+                          [&](const ContactWatch::SpherePair& s, const SphereContact& contact) {
+                            EXPECT_EQ(s.sphere_i, contact.sphere_i);
+                            EXPECT_EQ(s.sphere_j, contact.sphere_j);
+                            pairs.emplace_back(s.sphere_i, s.sphere_j);
+                          });
   return pairs;
 }
 
