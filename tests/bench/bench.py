@@ -36,9 +36,10 @@ WORK = {"sphere": 5e6, "smooth": 5e6, "multisphere": 5e6, "superquadric": 1e6, "
 SPHERES_EVERY = 3  # shapes between two runs of spheres
 MEASURED_ONCE = ("superquadric", "rigid")  # too dear to repeat, and too dear for it to matter
 
+#: N = 3 is for the compaction only: it sticks out of the ellipsoid and cannot start from a settled bed of smooth ones
 COMPACTION_SHAPES = ([SMOOTH] + [multisphere(n) for n in (1, 3, 5, 7, 9, 13, 17, 33, 55)]
                      + [SUPERQUADRIC])
-BED_SHAPES = [SMOOTH, multisphere(3), multisphere(5), multisphere(17), multisphere(55), SUPERQUADRIC]
+BED_SHAPES = [SMOOTH, multisphere(5), multisphere(17), multisphere(55), SUPERQUADRIC]
 FEW_SHAPES = [SMOOTH, multisphere(5), multisphere(17)]
 
 
