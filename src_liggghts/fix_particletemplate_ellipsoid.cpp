@@ -267,7 +267,7 @@ void FixParticletemplateEllipsoid::check_multisphere() const {
       }
     }
     for (const double aspect : {shortest, longest})
-      ellipsoid::make_multisphere(aspect, 1.0, subspheres_, spacing_);
+      ellipsoid::make_multisphere(aspect * semiaxes_.y, semiaxes_.y, subspheres_, spacing_);
   } catch (const std::invalid_argument& problem) {
     error->fix_error(FLERR, const_cast<FixParticletemplateEllipsoid*>(this),
                      ("keyword 'subspheres': " + std::string(problem.what())).c_str());
