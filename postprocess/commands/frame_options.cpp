@@ -59,15 +59,32 @@ class FrameChooser {
       hand_over(m_last);
     collect_all();
     if (m_chosen == 0 && m_code == exit_good) {
-      report_error(fmt::format("{}: no frame {}", m_run,
-                               m_options.frames == "all" ? "in it" : m_options.frames));
+      report_error(no_frame());
       m_code = exit_bad_data;
     }
     return m_code;
   }
 
  private:
+  /// Why nothing was chosen although nothing is broken.
+  std::string no_frame() const {
+    if (m_seen == 0)
+      return fmt::format("{}: expected at least one frame, found none: the file is empty", m_run);
+    return fmt::format("{}: expected a frame of time step {}, found {}: {}", m_run,
+                       m_options.frames,
+                       m_seen == 1 ? "one frame" : fmt::format("{} frames", m_seen),
+                       m_first_step == m_last_step
+                           ? fmt::format("time step {}", m_first_step)
+                           : fmt::format("time steps {} to {}", m_first_step, m_last_step));
+  }
+
   void take() {
+    if (m_seen == 0 && !m_frame.units.empty() && m_frame.units != "si")
+      report_warning(fmt::format("{}: the file is in units '{}'; tables and pictures name those of "
+                                 "'si', the numbers are the file's",
+                                 m_run, m_frame.units));
+    m_first_step = m_seen++ == 0 ? m_frame.timestep : m_first_step;
+    m_last_step = m_frame.timestep;
     if (m_options.frames == "last") {
       std::swap(m_frame, m_last);
       m_has_last = true;
@@ -142,7 +159,8 @@ class FrameChooser {
   const std::function<Collect(const ChosenFrame&)>& m_measure;
   Frame m_frame, m_last;
   bool m_has_last = false, m_is_done = false;
-  std::size_t m_chosen = 0, m_rows_waiting = 0;
+  std::size_t m_chosen = 0, m_rows_waiting = 0, m_seen = 0; ///< frames, rows, frames
+  std::int64_t m_first_step = 0, m_last_step = 0;           ///< of the frames that were seen
   std::deque<Waiting> m_waiting; ///< frames that are being measured, oldest first
   int m_code = exit_good;
 };

@@ -125,7 +125,7 @@ def check_bad_input(pile):
         "missing.dump": (frame_text(1, pile, [c for c in COLUMNS if c != "quat3"]), "quat3"),
         "nan.dump": (whole.replace("2e-05", "nan", 1), "finite number"),
         "count.dump": (whole.replace(f"\n{len(pile)}\n", f"\n{len(pile) + 1}\n", 1), "row"),
-        "empty.dump": ("", "no frame"),
+        "empty.dump": ("", "expected at least one frame, found none: the file is empty"),
         "none.dump": (frame_text(1, []), "at least one particle"),
     }
     for name, (text, message) in cases.items():
@@ -135,6 +135,14 @@ def check_bad_input(pile):
         file.write(bytes(random.Random(1).randrange(256) for _ in range(5000)))
     _, error = post("pile", "rubbish.dump", expect=1)
     assert "rubbish.dump:1" in error, error
+    _, error = post("pile", write("binary_7.dump", "\0\1\2"), "one.dump", "--csv", "kept.csv", expect=1)
+    assert "binary_7.dump:1: frame 1: expected text, found a NUL byte" in error, error
+    assert len(rows_of("summary", "kept.csv")) == 1  # the other run is measured all the same
+    _, error = post("pile", "many.dump", "--frame", 7, expect=1)
+    assert "many.dump: expected a frame of time step 7, found 2 frames: time steps 99 to 100" in error
+    _, error = post("energy", write("cgs.dump", "ITEM: UNITS\ncgs\n" + whole))
+    assert error.count("\n") == 1 and "cgs.dump" in error and "'cgs'" in error, error
+    assert post("energy", write("si.dump", "ITEM: UNITS\nsi\n" + whole))[1] == ""
     _, error = post("pile", "no_such_file.dump", expect=1)
     assert "no_such_file.dump" in error
     _, error = post("pile", "one.dump", "no_such_file.dump", "--quiet", "--csv", "kept.csv", expect=1)
