@@ -167,6 +167,19 @@ class FrameChooser {
 
 } // namespace
 
+CLI::Validator check_by(std::function<void(const std::string&)> parse) {
+  return CLI::Validator(
+      [parse = std::move(parse)](const std::string& word) -> std::string {
+        try {
+          parse(word);
+        } catch (const std::exception& error) {
+          return error.what();
+        }
+        return "";
+      },
+      "");
+}
+
 void add_output_options(CLI::App& command, FrameOptions& options) {
   command.add_option("--csv", options.csv,
                      "write the table as CSV to a file, \"-\": to standard output");
@@ -201,14 +214,9 @@ void add_frame_options(CLI::App& command, FrameOptions& options) {
       .add_option("--spacing", options.spacing_word,
                   "spacing of these sub-spheres: paper, minimax_outline, minimax_area")
       ->capture_default_str()
-      ->check([&options](const std::string& word) -> std::string {
-        try {
-          options.particles.spacing = sphere_spacing_from_word(word);
-        } catch (const std::invalid_argument& error) {
-          return error.what();
-        }
-        return "";
-      });
+      ->check(check_by([&options](const std::string& word) {
+        options.particles.spacing = sphere_spacing_from_word(word);
+      }));
   command
       .add_option("--size-scale", options.particles.sphere_size_scale,
                   "factor on all sizes of the file (0.5 where it holds diameters)")

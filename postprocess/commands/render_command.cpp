@@ -50,6 +50,10 @@ void add_force_chain_options(CLI::App& command, ContactListOptions& options) {
 
 } // namespace
 
+CLI::Validator picture_name_check() {
+  return check_by([](const std::string& name) { picture_format(name); });
+}
+
 void write_pile_picture(const std::string& path, const ChosenFrame& chosen, const Pile& pile,
                         const PileOptions& pile_options, const std::optional<ReposeAngle>& angle,
                         const PilePictureOptions& options) {
@@ -78,7 +82,8 @@ void add_render_command(CLI::App& program, int& exit_code) {
   add_frame_options(*command, options->frames);
   add_plane_options(*command, options->plane);
   command->add_option("--output,-o", options->output, "file name, ends in .svg or .png")
-      ->required();
+      ->required()
+      ->check(picture_name_check());
   command->add_option("--width", options->picture.width, "pixels; the height follows")
       ->check(CLI::Range(100, 20000))
       ->capture_default_str();

@@ -29,6 +29,26 @@ def check_template():
         assert file.read().count("endfacet") > 1000
     with open("ms.mol", encoding="ascii") as file:
         assert "7 atoms" in file.read()
+    with open("ms.mol", encoding="ascii") as file:
+        assert "mass" not in file.read()
+    rows = rows_of("template", "--aspect", "2.35,5", "--tolerance", "0.01")
+    assert [row["subspheres"] for row in rows] == ["13", "29"]  # one for each aspect ratio
+    (row,) = rows_of("template", "--aspect", "2.35", "--tolerance", "0.01", "--measure", "volume")
+    assert row["subspheres"] == "17"
+    (row,) = rows_of("template", "--aspect", "2.35", "--tolerance", "0.01", "--measure", "outline",
+                     "--spacing", "minimax")
+    assert row["subspheres"] == "13"
+    molecule, _ = post("template", "--b", "1.15", "--aspect", 2.7 / 1.15, "--subspheres", 7, "--mass",
+                       "5", "--molecule", "-")
+    header = molecule.split("Coords")[0].splitlines()
+    moments = [float(word) for word in header[5].split()[:6]]
+    assert header[2:5] == ["7 atoms", "5 mass", "0 0 0 com"] and header[5].endswith(" inertia")
+    for found, expected in zip(moments, (2 * 1.15 ** 2, 1.15 ** 2 + 2.7 ** 2, 1.15 ** 2 + 2.7 ** 2, 0, 0, 0)):
+        assert abs(found - expected) < 1e-12, moments
+    _, error = post("template", "--aspect", "2,3", "--subspheres", "13", "--stl", "x.stl", expect=2)
+    assert "one --aspect" in error and not os.path.exists("x.stl")
+    _, error = post("template", "--spacing", "even", expect=2)
+    assert "minimax" in error
     _, error = post("template", "--subspheres", "4", expect=1)
     assert "4" in error
     _, error = post("template", "--aspect", "10", "--subspheres", "5", expect=1)

@@ -104,8 +104,19 @@ def check_summary():
     post("plot", 12, "runs.csv", "-o", "figure12.svg")
     post("plot", 13, "runs.csv", "-o", "figure13.png")
     post("plot", 5, "-o", "figure5.svg")
+    post("plot", 15, "runs.csv", "-o", "figure15.svg")
     _, error = post("plot", 17, "runs.csv", "-o", "figure17.svg", expect=1)
-    assert "relative_cpu_time" in error
+    assert '"relative_cpu_time"' in error and "found only: run, timestep, surface" in error
+    _, error = post("plot", 12, "runs.csv", "-o", "figure12.jpg", expect=2)
+    assert ".svg or .png" in error
+    _, error = post("summary", "runs.csv", "--quantity", "porosity,angle", expect=1)
+    assert 'runs.csv: expected a column "angle"' in error and "repose_angle_deg" in error
+    _, error = post("summary", write("x.csv", "x,y\n1,2\n"), expect=1)
+    assert 'x.csv: expected a column "repose_angle_deg"' in error
+    for command in ("summary", write("words.csv", "surface,porosity\nsmooth,0.1\nsmooth,much\n")), \
+            ("plot", 13, "words.csv", "-o", "figure13.svg"):
+        _, error = post(*command, expect=1)
+        assert 'words.csv:3: expected a number in column "porosity", found "much"' in error, error
     post("report", "one.dump", "other.dump", "coarse.dump", "-o", "report.html")
     with open("report.html", encoding="utf8") as file:
         page = file.read()
@@ -151,8 +162,9 @@ def check_bad_input(pile):
     post("pile", expect=2)
     post("pile", "one.dump", "--cut-top", "2", expect=2)
     post("pile", "one.dump", "--frame", "middle", expect=2)
-    post("nonsense", expect=2)
-    _, error = post("render", "one.dump", "-o", "pile.jpg", expect=1)
+    _, error = post("nonsense", expect=2)
+    assert error.count("\n") == 1 and "'nonsense'" in error and "render3d" in error, error
+    _, error = post("render", "one.dump", "-o", "pile.jpg", expect=2)
     assert ".svg or .png" in error
     _, error = post("render", "one.dump", "-o", "pile.svg", "--colour", "nothing", expect=1)
     assert "nothing" in error
