@@ -41,7 +41,7 @@ void add_plot_command(CLI::App& program, int& exit_code) {
       "--outline ellipse as well for 'MS ellipse'); 17 and 18 take CSV files with "
       "the columns subspheres (empty: smooth, with surface = smooth) and "
       "relative_cpu_time or potential_contacts_per_particle. Error bars and bands: "
-      "half range over runs. Open squares and dashed bands: values of the paper's text.");
+      "half range over runs. Open markers and dashed lines: values of the paper's text.");
   command->add_option("figure", options->number, "5, 12, 13, 15, 17 or 18")
       ->required()
       ->check(CLI::IsMember(known_figures));

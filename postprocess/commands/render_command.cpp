@@ -50,6 +50,11 @@ void add_force_chain_options(CLI::App& command, ContactListOptions& options) {
 
 } // namespace
 
+std::string frame_title(const ChosenFrame& chosen) {
+  return fmt::format("{} particles, time step {}", chosen.set.particles.size(),
+                     chosen.frame.timestep);
+}
+
 CLI::Validator picture_name_check() {
   return check_by([](const std::string& name) { picture_format(name); });
 }
@@ -62,8 +67,7 @@ void write_pile_picture(const std::string& path, const ChosenFrame& chosen, cons
     name.replace(star, 1, fmt::format("{}", chosen.frame.timestep));
   PilePictureOptions titled = options;
   if (titled.title.empty())
-    titled.title = fmt::format("{} particles, time step {}", chosen.set.particles.size(),
-                               chosen.frame.timestep);
+    titled.title = frame_title(chosen);
   write_text(name, draw_pile(picture_format(name), chosen.frame, chosen.set, pile, pile_options,
                              angle, titled));
   fmt::print(stderr, "picture: {}\n", name);

@@ -72,8 +72,7 @@ void visit(const ReportOptions& options, const ChosenFrame& chosen, Findings& fi
   const PileResult result = analyse_pile(options, chosen);
   findings.runs.rows.push_back(result.row);
   PilePictureOptions picture;
-  picture.title =
-      fmt::format("{} particles, time step {}", chosen.set.particles.size(), chosen.frame.timestep);
+  picture.title = frame_title(chosen);
   findings.pictures += html_picture(draw_pile(PictureFormat::svg, chosen.frame, chosen.set,
                                               result.pile, result.settings, result.angle, picture),
                                     chosen.run);

@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "pile_picture.h"
 
-#include "axis_scale.h"
+#include "legends.h"
 #include "particle_colours.h"
 
 #include <algorithm>
@@ -150,42 +150,6 @@ void draw_surface(Canvas& canvas, const Projection& to, const Pile& pile) {
   canvas.polyline(points, false, line);
 }
 
-/// A bar of a round length, in mm (lengths of the file taken as metres).
-void draw_scale_bar(Canvas& canvas, const Projection& to, double y) {
-  const double length = round_length(0.2 * (to.view.right - to.view.left));
-  Style bar;
-  bar.line = ink;
-  bar.line_width = 4.0 * to.unit;
-  const double x = to.left;
-  canvas.line({x, y}, {x + length * to.scale, y}, bar);
-  TextStyle text;
-  text.size = 24.0 * to.unit;
-  canvas.text({x + length * to.scale + 12.0 * to.unit, y + 8.0 * to.unit},
-              fmt::format("{:g} mm", 1000.0 * length), text);
-}
-
-void draw_colour_bar(Canvas& canvas, const Projection& to, const ParticleColours& colours,
-                     double right, double y) {
-  const double width = 400.0 * to.unit, height = 18.0 * to.unit, left = right - width;
-  constexpr int steps = 100;
-  Style patch;
-  patch.is_filled = true;
-  patch.line_width = 0.0;
-  for (int k = 0; k < steps; ++k) {
-    patch.fill =
-        scale_colour(colours, colours.low + (colours.high - colours.low) * (k + 0.5) / steps);
-    canvas.rectangle({left + width * k / steps, y}, width / steps + 0.5, height, patch);
-  }
-  TextStyle text;
-  text.size = 20.0 * to.unit;
-  const double baseline = y + height + 24.0 * to.unit;
-  canvas.text({left, baseline}, fmt::format("{:.4g}", colours.low), text);
-  text.anchor = Anchor::end;
-  canvas.text({right, baseline}, fmt::format("{:.4g}", colours.high), text);
-  text.anchor = Anchor::middle;
-  canvas.text({0.5 * (left + right), baseline}, colours.label, text);
-}
-
 double largest_force(const std::vector<ForceLink>& links) {
   double largest = 0.0;
   for (const ForceLink& link : links)
@@ -266,11 +230,11 @@ std::string draw_pile(PictureFormat format, const Frame& frame, const ParticleSe
   if (options.show_fit && angle && !options.view)
     draw_fit(*canvas, to, pile_options, *angle);
   const double below = to.top + plane_height + 58.0 * to.unit;
-  draw_scale_bar(*canvas, to, below);
+  draw_scale_bar(*canvas, {to.left, below}, to.scale, view.right - view.left, to.unit);
   if (!options.force_chains.empty())
     draw_force_scale(*canvas, to, pile, options.force_chains, to.left + 0.4 * options.width, below);
   if (colours.has_scale)
-    draw_colour_bar(*canvas, to, colours, options.width - to.left, below - 14.0 * to.unit);
+    draw_colour_bar(*canvas, {options.width - to.left, below - 14.0 * to.unit}, colours, to.unit);
   TextStyle heading;
   heading.size = 26.0 * to.unit;
   canvas->text({to.left, 44.0 * to.unit}, options.title, heading);

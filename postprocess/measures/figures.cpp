@@ -66,7 +66,7 @@ Series series(std::string name, std::vector<ChartPoint> points, const Colour& co
 
 /// The name of a band in the legend.
 std::string with_margin_named(const std::string& name, double margin) {
-  return margin > 0.0 ? name + ", mean and half range" : name;
+  return margin > 0.0 ? name + " ± half range" : name;
 }
 
 /// Adds the paper's values: its multi-sphere points open, its ellipse as a dashed band.
@@ -152,8 +152,7 @@ std::vector<Chart> figure_5() {
         template_ratio(aspect, &MultisphereMeasures::perimeter_ratio, colour, markers[k]));
   }
   area.x_ticks = perimeter.x_ticks = {3, 7, 11, 15, 19, 23, 27, 31, 35, 39, 43, 47, 51, 55};
-  Series reported = series("paper's text: 13 spheres for 1 % at s = 2.35", {{13.0, 0.99, 0.0}},
-                           dark, Marker::square);
+  Series reported = series("paper: N = 13 at s = 2.35", {{13.0, 0.99, 0.0}}, dark, Marker::square);
   reported.is_joined = false;
   reported.is_filled = false;
   area.series.push_back(std::move(reported));

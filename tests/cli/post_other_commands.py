@@ -55,6 +55,12 @@ def check_template():
     assert error.count("\n") == 2, error  # which one cannot be built and why; that none is left
 
 
+def png_size(name):
+    with open(name, "rb") as file:
+        head = file.read(24)
+    return int.from_bytes(head[16:20], "big"), int.from_bytes(head[20:24], "big")
+
+
 def lattice_in_space(count):
     rows = []
     for i in range(count):
@@ -114,6 +120,21 @@ def check_space():
     with open("bed.png", "rb") as file:
         assert file.read(8) == b"\x89PNG\r\n\x1a\n"
     post("render3d", name, "-o", "bed.jpg", expect=2)
+    post("render3d", name, "-o", "film_*.svg", "--colour", "id", "--colour-range", 0, 500, "--title",
+         "A lattice")
+    with open("film_5.svg", encoding="utf8") as file:
+        text = file.read()
+    assert text.count("<image ") == 1 and "data:image/png;base64" in text
+    for words in "A lattice", ">0<", ">500<", ">id<", " mm<":
+        assert words in text, words
+    post("render3d", name, "-o", "bare.png", "--bare", "--width", 200, "--height", 150)
+    assert png_size("bare.png") == png_size("bed.png") == (200, 150)
+    _, error = post("render3d", name, "-o", "x.svg", "--bare", expect=1)
+    assert ".png" in error
+    _, error = post("render3d", name, "-o", "x.png", "--view", 0, 1, 0, 1, 1, 0, expect=1)
+    assert "z0 < z1" in error
+    _, error = post("render3d", name, "-o", "x.png", "--width", 1600, "--height", 100, expect=1)
+    assert "--height" in error
     (heap,) = json_of("heap", write("cone.dump", frame_text(7, cone(25, 0.03))), "--sectors", 6)
     # steps of 1.4 B over its 0.03 m of height
     assert abs(heap["repose_angle_deg"] - 25) < 1.5, heap
