@@ -267,7 +267,8 @@ Table compared_with_paper(const Table& runs) {
              {"paper", "paper", "", with_margin(r.value, r.margin)},
              {"here", "here", "", with_margin(s.mean, s.half_range)},
              {"runs", "runs", "", static_cast<std::int64_t>(s.count)},
-             {"difference_percent", "difference", "%", 100.0 * (s.mean / r.value - 1.0)}});
+             {"difference_percent", "difference", "%",
+              fmt::format("{:+.1f}", 100.0 * (s.mean / r.value - 1.0))}});
       }
   }
   return table;
