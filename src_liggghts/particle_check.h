@@ -8,9 +8,9 @@ class LAMMPS;
 
 namespace ellipsoid_host {
 
-/// Stops with one line when a particle of this rank cannot be simulated: semi-axes, mass and moments
-/// must be finite and > 0, position and velocities finite, the quaternion of length 1. The host's `set`
-/// and `fix adapt` do not look.
+/// Stops with one line when a particle of this rank cannot be simulated: semi-axes, mass and
+/// moments must be finite and > 0, position and velocities finite, the quaternion of length 1. The
+/// host's `set` and `fix adapt` do not look.
 /// @param[in] caller begins the message
 void check_particles(LAMMPS_NS::LAMMPS* lmp, const char* caller);
 
