@@ -15,7 +15,7 @@ std::string frame_title(const ChosenFrame& chosen);
 /// Writes the picture of one frame; `path` may hold an asterisk, which becomes the time step.
 /// Throws InputError.
 void write_pile_picture(const std::string& path, const ChosenFrame& chosen, const Pile& pile,
-                        const PileOptions& pile_options, const std::optional<ReposeAngle>& angle,
+                        const PileOptions& pile_options, const std::vector<ReposeAngle>& flanks,
                         const PilePictureOptions& options);
 
 } // namespace ellipsoid::post

@@ -15,7 +15,7 @@ struct PileTableOptions : PileCommandOptions {
 Row pile_row(const PileTableOptions& options, const ChosenFrame& chosen) {
   const PileResult result = analyse_pile(options, chosen);
   if (!options.picture.empty())
-    write_pile_picture(options.picture, chosen, result.pile, result.settings, result.angle, {});
+    write_pile_picture(options.picture, chosen, result.pile, result.settings, result.flanks, {});
   return result.row;
 }
 

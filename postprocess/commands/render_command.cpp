@@ -33,7 +33,7 @@ void render(const RenderOptions& options, const ChosenFrame& chosen) {
   if (!options.contacts.files.empty())
     picture.force_chains = force_links(contact_list_at(options.contacts, chosen.frame.timestep),
                                        options.contacts.columns, chosen.set);
-  write_pile_picture(options.output, chosen, pile, settings, try_repose(pile, settings), picture);
+  write_pile_picture(options.output, chosen, pile, settings, try_flanks(pile, settings), picture);
 }
 
 void add_force_chain_options(CLI::App& command, ContactListOptions& options) {
@@ -60,7 +60,7 @@ CLI::Validator picture_name_check() {
 }
 
 void write_pile_picture(const std::string& path, const ChosenFrame& chosen, const Pile& pile,
-                        const PileOptions& pile_options, const std::optional<ReposeAngle>& angle,
+                        const PileOptions& pile_options, const std::vector<ReposeAngle>& flanks,
                         const PilePictureOptions& options) {
   std::string name = path;
   if (const auto star = name.find('*'); star != std::string::npos)
@@ -69,7 +69,7 @@ void write_pile_picture(const std::string& path, const ChosenFrame& chosen, cons
   if (titled.title.empty())
     titled.title = frame_title(chosen);
   write_text(name, draw_pile(picture_format(name), chosen.frame, chosen.set, pile, pile_options,
-                             angle, titled));
+                             flanks, titled));
   fmt::print(stderr, "picture: {}\n", name);
 }
 

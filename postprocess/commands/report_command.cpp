@@ -76,7 +76,7 @@ void visit(const ReportOptions& options, const ChosenFrame& chosen, Findings& fi
   PilePictureOptions picture;
   picture.title = frame_title(chosen);
   findings.pictures.push_back(draw_pile(PictureFormat::svg, chosen.frame, chosen.set, result.pile,
-                                        result.settings, result.angle, picture));
+                                        result.settings, result.flanks, picture));
   const std::string log = log_beside(chosen.frame.place.file);
   if (log.empty())
     findings.without_log.push_back(chosen.run);

@@ -36,7 +36,8 @@ void draw_colour_bar(Canvas& canvas, const PixelPoint& corner, const ParticleCol
   for (int k = 0; k < steps; ++k) {
     patch.fill =
         scale_colour(colours, colours.low + (colours.high - colours.low) * (k + 0.5) / steps);
-    canvas.rectangle({left + width * k / steps, corner.y}, width / steps + 0.5, height, patch);
+    const double begin = left + width * k / steps; // to the end: no seams between the patches
+    canvas.rectangle({begin, corner.y}, corner.x - begin, height, patch);
   }
   TextStyle text;
   text.size = 20.0 * unit;

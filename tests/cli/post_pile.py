@@ -1,12 +1,13 @@
 # Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 """The commands on piles: figures, invariances, output formats, bad input, exit codes."""
 import gzip
+import math
 import os
 import random
 import re
 import resource
 
-from _synthetic import (COLUMNS, frame_text, json_of, particle, post, rows_of, wedge, write)
+from _synthetic import (B, COLUMNS, frame_text, json_of, particle, post, rows_of, wedge, write)
 
 MEASURES = ("repose_angle_deg", "porosity", "zpp", "zss", "total_area_m2", "solid_area_m2",
             "mean_overlap_b", "rattlers")
@@ -46,6 +47,38 @@ def check_invariances(pile):
     with_strays = figures(write("strays.dump", frame_text(100, pile + strays)))
     assert with_strays == reference, (with_strays, reference)
     return reference
+
+
+def check_two_sided():
+    """A heap without a wall, 25 degrees on its right and 20 on its left flank."""
+    right = [{**row, "x": 0.2 + row["x"]} for row in wedge(25.0)]
+    left = [{**row, "x": 0.2 - row["x"], "id": 5000 + row["id"]} for row in wedge(20.0)]
+    # in every second row the two lattices leave room for one particle in the middle
+    seam = [particle(9000 + j, 0.2, B + 0.9999 * j * B * math.sqrt(3.0)) for j in range(1, 29, 2)]
+    name = write("two_sided.dump", frame_text(1, right + left + seam))
+    (pile,) = rows_of("pile", name, "--no-wall")
+    (repose,) = rows_of("repose", name, "--no-wall")
+    angles = {}
+    for side in "", "_left", "_right":
+        key = f"repose_angle{side}_deg"
+        assert repose[key] == pile[key], side
+        angles[side] = float(pile[key])
+    assert abs(angles["_left"] - 20.0) < 0.7 and abs(angles["_right"] - 25.0) < 0.7, angles
+    assert abs(angles[""] - (angles["_left"] + angles["_right"]) / 2) < 1e-12, angles
+    error = math.hypot(*(float(pile[f"repose_angle_standard_error_{s}_deg"]) for s in ("left", "right")))
+    assert abs(float(pile["repose_angle_standard_error_deg"]) - error / 2) < 1e-12
+    ends = [float(pile[f"point_b_x_{side}_m"]) for side in ("left", "right")]
+    assert ends[0] < 0.1 and ends[1] > 0.3, ends
+    (whole,), (middle,), (core,) = (rows_of("porosity", name, "--no-wall", "--region", region)
+                                    for region in ("whole", "middle", "core"))
+    assert float(core["porosity"]) < float(middle["porosity"]) < float(whole["porosity"])
+    # away from the surface the lattice of touching ellipses; the region's rim cuts through its cells
+    lattice = 1 - math.pi / (2 * math.sqrt(3))
+    assert abs(float(core["porosity"]) / lattice - 1) < 0.02, (core, lattice)
+    post("render", name, "--no-wall", "-o", "two_sided.svg")
+    with open("two_sided.svg", encoding="utf8") as file:
+        text = file.read()
+    assert text.count(">A<") == text.count(">B<") == 2 and text.count("°") == 4, "both flanks are drawn"
 
 
 def check_formats(reference):
@@ -229,6 +262,7 @@ def check_speed(pile):
 def main():
     pile = wedge()
     reference = check_invariances(pile)
+    check_two_sided()
     check_formats(reference)
     check_fine_chains(reference)
     check_summary()
