@@ -184,12 +184,12 @@ def main():
     check_host_template()
     with_vtk = os.environ["ELLIPSOID_VTK"] == "1"
     simulate("smooth", "smooth", 2, VTK_DUMPS if with_vtk else "")
-    simulate("ms", "multisphere", 1)
+    simulate("ms", "multisphere", 1, VTK_DUMPS if with_vtk else "")
     for name in "smooth", "ms":
         check_contacts(name)
         check_force_chains(name)
-    if with_vtk:
-        check_vtk("smooth")
+        if with_vtk:
+            check_vtk(name)
 
 
 main()
