@@ -125,6 +125,20 @@ def check_force_chains(name):
     assert "no contacts of time step 0" in error, error
 
 
+def check_broken_vtk(name):
+    """XML that is cut or damaged: VTK's own reason in one line, no missing columns."""
+    for kind in f"{name}_poly.{STEPS}.vtp", f"{name}_cloud.{STEPS}.vtu":
+        with open(kind, "rb") as file:
+            whole = file.read()
+        broken = f"broken_{kind}"
+        for text in whole[:len(whole) // 2], whole.replace(b"<PointData>", b"<PointData\xff>", 1):
+            with open(broken, "wb") as file:
+                file.write(text)
+            out, error = post("coordination", broken, "--no-wall", expect=1)
+            assert out == "" and error.count("\n") == 1, (out, error)
+            assert f"{broken}: frame 1: expected a whole VTK file" in error and "broken file" in error, error
+
+
 VTK_DUMPS = """dump legacy all custom/vtk {steps} {{name}}.*.vtk {{columns}}
 dump packed all custom/vtk {steps} {{name}}_binary.*.vtk {{columns}}
 dump_modify packed binary yes
@@ -190,6 +204,8 @@ def main():
         check_force_chains(name)
         if with_vtk:
             check_vtk(name)
+    if with_vtk:
+        check_broken_vtk("ms")
 
 
 main()
