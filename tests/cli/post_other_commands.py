@@ -141,6 +141,9 @@ def check_space():
     assert abs(heap["axis_x_m"]) < B and heap["strays"] == 0
     _, error = post("heap", write("one.dump", frame_text(7, [particle(1, 0, 0)])), expect=1)
     assert "rings" in error
+    for up in "y", "z":
+        _, error = post("heap", write("plane.dump", frame_text(7, wedge())), "--up", up, expect=1)
+        assert "in one plane" in error and "`repose`" in error, error
 
 
 def check_contact_list():
