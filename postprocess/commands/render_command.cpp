@@ -21,7 +21,7 @@ struct RenderOptions {
 
 void render(const RenderOptions& options, const ChosenFrame& chosen) {
   const PileOptions settings = plane_settings(options.plane);
-  const Pile pile = find_pile(chosen.set, settings);
+  const Pile pile = plane_pile(chosen, settings);
   PilePictureOptions picture = options.picture;
   picture.show_fit = !options.no_fit;
   if (options.view.size() == 4)

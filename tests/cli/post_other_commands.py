@@ -135,6 +135,10 @@ def check_space():
     assert "z0 < z1" in error
     _, error = post("render3d", name, "-o", "x.png", "--width", 1600, "--height", 100, expect=1)
     assert "--height" in error
+    for command in ("pile", "repose", "porosity", "render"):
+        more = ("-o", "bed.svg") if command == "render" else ("--no-wall",)
+        done = post(command, "bed.dump", *more, "--cut-top", 0, "--cut-bottom", 0, expect=None)
+        assert "out of the plane" in done[1] and "`bed`" in done[1], (command, done)
     (heap,) = json_of("heap", write("cone.dump", frame_text(7, cone(25, 0.03))), "--sectors", 6)
     # steps of 1.4 B over its 0.03 m of height
     assert abs(heap["repose_angle_deg"] - 25) < 1.5, heap
