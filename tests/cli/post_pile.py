@@ -146,6 +146,12 @@ def check_summary():
     assert 'runs.csv: expected a column "angle"' in error and "repose_angle_deg" in error
     _, error = post("summary", write("x.csv", "x,y\n1,2\n"), expect=1)
     assert 'x.csv: expected a column "repose_angle_deg"' in error
+    post("pile", "coarse.dump", "--outline", "ellipse", "--quiet", "--csv", "ellipse.csv")
+    rows = rows_of("summary", "runs.csv", "ellipse.csv")
+    assert [(row["subspheres"], row["outline"], row["runs"]) for row in rows] == [
+        ("5", "ellipse", "1"), ("5", "true", "1"), ("-", "true", "2")], rows
+    rows = rows_of("summary", "runs.csv", "ellipse.csv", "--group", "surface")
+    assert [(row["surface"], row["runs"]) for row in rows] == [("multisphere", "2"), ("smooth", "2")]
     for command in ("summary", write("words.csv", "surface,porosity\nsmooth,0.1\nsmooth,much\n")), \
             ("plot", 13, "words.csv", "-o", "figure13.svg"):
         _, error = post(*command, expect=1)
