@@ -111,6 +111,7 @@ void MultisphereParticles::begin_lists(std::size_t count) {
   poses_.resize(count);
   centres_.resize(count);
   travelled_.assign(count, 0.0);
+  longest_travel_ = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     poses_[i] = make_pose(static_cast<int>(i));
     centres_[i] = vector(atom->x[i]);
@@ -123,6 +124,7 @@ void MultisphereParticles::move() {
     const ellipsoid::Vector3 centre = vector(atom->x[i]);
     place(static_cast<int>(i), poses_[i]);
     travelled_[i] += travel(before, poses_[i], centre - centres_[i]);
+    longest_travel_ = std::max(longest_travel_, travelled_[i]);
     centres_[i] = centre;
   }
 }

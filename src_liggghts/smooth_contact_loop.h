@@ -39,6 +39,7 @@ private:
   }
   void begin_lists(std::size_t) {}
   double travelled(int i) const { return paths_[i]; }
+  double longest_travel() const { return paths_.longest(); }
 
   const ellipsoid::EllipsoidShape& shape(int i) const {
     return (*shapes_)[static_cast<std::size_t>(i)];
@@ -75,7 +76,7 @@ private:
   }
 
   /// The waiting pairs, in the order in which they came.
-  void finish() {
+  __attribute__((noinline, flatten)) void finish() {
     batch_.solve();
     for (int k = 0; k < batch_.size(); ++k)
       treat_result(waiting_[k], batch_.geometry(k));
@@ -128,13 +129,12 @@ private:
     // local spheres with the Gaussian radii of curvature, scaled so that their R is that of (19)
     const double r_i = geometry.curvature_radius_i, r_j = geometry.curvature_radius_j;
     const double scale = geometry.reduced_radius * (r_i + r_j) / (r_i * r_j);
-    SurfacesIntersectData c = this->pair_record(pair.i, pair.j, pair.distance, *pair.flag);
-    this->fill_contact(c, geometry.normal, geometry.point, geometry.overlap, geometry.reduced_radius,
-                       scale * r_i, scale * r_j, pair.history);
     if (contact_.computeflag)
       pair.history[was_touching] = 1.0;
     *pair.flag |= CONTACT_SURFACE_MODEL;
-    this->apply_contact(c);
+    typename Base::Touch touch{geometry.normal, geometry.point, geometry.overlap,
+                               geometry.reduced_radius, scale * r_i, scale * r_j, pair.history};
+    this->add_contact(this->touching_pair(pair.i, pair.j, pair.distance, *pair.flag), touch);
   }
 };
 

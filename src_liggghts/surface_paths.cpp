@@ -3,6 +3,7 @@
 
 #include "atom.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace LIGGGHTS;
@@ -23,6 +24,7 @@ bool SurfacePaths::update(const LAMMPS_NS::Atom& atom, bool new_lists) {
   if (restart) {
     poses_.resize(count);
     paths_.assign(count, 0.0);
+    longest_ = 0.0;
   }
   for (std::size_t i = 0; i < count; ++i) {
     Pose& pose = poses_[i];
@@ -40,6 +42,7 @@ bool SurfacePaths::update(const LAMMPS_NS::Atom& atom, bool new_lists) {
     }
     if (!restart)
       paths_[i] += std::sqrt(way) + atom.radius[i] * largest_angle(std::sqrt(turn));
+    longest_ = std::max(longest_, paths_[i]);
   }
   return restart;
 }

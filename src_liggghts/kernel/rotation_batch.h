@@ -12,6 +12,8 @@ namespace ellipsoid {
 class RotationBatch {
 public:
   static constexpr int capacity = 64;
+  /// A cache line more: columns one power of two apart would all fall on the same few cache sets.
+  static constexpr int column_length = capacity + 8;
 
   int size() const { return size_; }
   bool full() const { return size_ == capacity; }
@@ -29,7 +31,7 @@ public:
   /// Columns of numbers, one per body.
   struct Columns {
     enum Value { qw, qx, qy, qz, mx, my, mz, ix, iy, iz, wx, wy, wz, value_count };
-    alignas(64) double values[value_count][capacity];
+    alignas(64) double values[value_count][column_length];
     double time_step;
   };
 
