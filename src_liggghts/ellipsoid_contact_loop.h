@@ -42,7 +42,7 @@ using SearchHistory = std::vector<std::pair<std::string, bool>>;
 ///          - prepare(): before the first pair; returns whether the neighbour lists are new;
 ///          - begin_lists(pairs): after that, if they are;
 ///          - travelled(i): how far any point of particle i has moved at most since then (length),
-///            and longest_travel(), the largest of these;
+///            and travel_bound(), by which no particle's value grows less than it does;
 ///          - treat_pair(i, j, pair, travelled, flag, history), `pair` the place in the lists and
 ///            `travelled` that of both: returns a length by which the surfaces are apart at least,
 ///            0 if they touch or nothing is known; hands every contact to add_contact();
@@ -104,14 +104,16 @@ public:
     wake_pairs();
     std::size_t kept = 0;
     for (std::size_t k = 0; k < awake_.size(); ++k) {
-      const AwakePair& pair = awake_[k];
+      AwakePair& pair = awake_[k];
       prefetch(k + pairs_ahead);
       const double travelled = surface.travelled(pair.i) + surface.travelled(pair.j);
       const double gap = surface.treat_pair(pair.i, pair.j, pair.place, travelled, *pair.flag, pair.history);
-      if (gap > 0.0)
-        put_to_sleep(pair, travelled + trusted_share_of_gap * gap);
-      else
-        awake_[kept++] = pair;
+      if (gap > 0.0) {
+        put_to_sleep(pair, travelled, trusted_share_of_gap * gap);
+        continue;
+      }
+      pair.touched = *pair.flag != 0;
+      awake_[kept++] = pair;
     }
     awake_.resize(kept);
     surface.finish();
@@ -132,8 +134,9 @@ protected:
   const double* rigid_masses_ = nullptr; // of the bodies that particles belong to
 
   // Surfaces that are apart cannot touch before the two particles have travelled their gap: until
-  // then the pair sleeps. One value per pair of the neighbour lists (never: it is awake), and the
-  // smallest of each row of the lists.
+  // then the pair sleeps. One value per pair of the neighbour lists (never: it is awake). A row of the
+  // lists needs no look before its particle's travel and the bound of all others have reached
+  // its own value.
   static constexpr double never = std::numeric_limits<double>::infinity();
   std::vector<double> asleep_until_, row_asleep_until_;
   double near_pairs_ = 0.0;
@@ -141,6 +144,7 @@ protected:
   struct AwakePair {
     std::size_t place; ///< in the neighbour lists
     int row, i, j;
+    bool touched; ///< in the last step
     int* flag;
     double* history;
   };
@@ -192,17 +196,18 @@ protected:
   void wake_pairs() {
     const Surface& surface = static_cast<const Surface&>(*this);
     const NeighList* list = pair_->list;
-    const double longest = surface.longest_travel();
+    const double bound = surface.travel_bound();
     const auto awake_before = static_cast<std::ptrdiff_t>(awake_.size());
     std::size_t first = 0;
     for (int ii = 0; ii < list->inum; ++ii) {
       const int i = list->ilist[ii];
-      if (surface.travelled(i) + longest >= row_asleep_until_[static_cast<std::size_t>(ii)])
+      if (surface.travelled(i) + bound >= row_asleep_until_[static_cast<std::size_t>(ii)])
         wake_row(ii, i, first);
       first += static_cast<std::size_t>(list->numneigh[i]);
     }
-    std::inplace_merge(awake_.begin(), awake_.begin() + awake_before, awake_.end(),
-                       [](const AwakePair& a, const AwakePair& b) { return a.place < b.place; });
+    if (awake_before < static_cast<std::ptrdiff_t>(awake_.size()))
+      std::inplace_merge(awake_.begin(), awake_.begin() + awake_before, awake_.end(),
+                         [](const AwakePair& a, const AwakePair& b) { return a.place < b.place; });
   }
 
   /// @param[in] first place of the row's first pair
@@ -211,23 +216,34 @@ protected:
     const double travelled_i = surface.travelled(i);
     const int* neighbours = pair_->list->firstneigh[i];
     const int count = pair_->list->numneigh[i];
-    double earliest = never;
+    double least = never; // that a pair which sleeps has still to travel
     for (int jj = 0; jj < count; ++jj) {
       const std::size_t place = first + static_cast<std::size_t>(jj);
       const int j = neighbours[jj] & NEIGHMASK;
-      if (travelled_i + surface.travelled(j) >= asleep_until_[place]) {
-        asleep_until_[place] = never;
-        awake_.push_back({place, row, i, j, &pair_->listgranhistory->firstneigh[i][jj],
-                          &pair_->listgranhistory->firstdouble[i][history_values_ * jj]});
+      const double left = asleep_until_[place] - (travelled_i + surface.travelled(j));
+      if (left > 0.0) {
+        least = std::min(least, left);
+        continue;
       }
-      earliest = std::min(earliest, asleep_until_[place]);
+      asleep_until_[place] = never;
+      awake_.push_back({place, row, i, j, false, &pair_->listgranhistory->firstneigh[i][jj],
+                        &pair_->listgranhistory->firstdouble[i][history_values_ * jj]});
     }
-    row_asleep_until_[static_cast<std::size_t>(row)] = earliest;
+    row_asleep_until_[static_cast<std::size_t>(row)] =
+        travelled_i + surface.travel_bound() + trusted_share_of_gap * least;
+  }
+
+  /// @param[in] gap that both particles together have to travel (length)
+  void put_to_sleep(const AwakePair& pair, double travelled, double gap) {
+    const Surface& surface = static_cast<const Surface&>(*this);
+    asleep_until_[pair.place] = travelled + gap;
+    double& of_row = row_asleep_until_[static_cast<std::size_t>(pair.row)];
+    of_row = std::min(of_row, surface.travelled(pair.i) + surface.travel_bound() + gap);
   }
 
   /// The histories of pairs lie apart in memory: asked for in time, they are there when needed.
   __attribute__((always_inline)) void prefetch(std::size_t k) const {
-    if (k >= awake_.size())
+    if (k >= awake_.size() || !awake_[k].touched)
       return;
     __builtin_prefetch(awake_[k].flag, 1);
     __builtin_prefetch(awake_[k].history, 1);

@@ -8,6 +8,7 @@
 #include "force.h"
 #include "gear_predictor_corrector.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "rigid_body.h"
 #include "update.h"
 
@@ -149,9 +150,8 @@ void FixNVEEllipsoid::turn_waiting() {
   turns_.clear();
 }
 
-double FixNVEEllipsoid::inertia_about_z(int i) const {
-  const ellipsoid::PlanarInertia inertia =
-      planar_inertia(quaternion(atom->quaternion[i]), vector(atom->inertia[i]));
+/// The moment of inertia about z; stops if z is no principal axis.
+double FixNVEEllipsoid::checked_inertia(int i, const ellipsoid::PlanarInertia& inertia) const {
   if (inertia.misaligned > largest_misalignment)
     error->one(FLERR, ("Fix nve/ellipsoid (id " + std::string(id) + "): planar yes, but atom " +
                        std::to_string(atom->tag[i]) +
@@ -161,10 +161,46 @@ double FixNVEEllipsoid::inertia_about_z(int i) const {
   return inertia.about_z;
 }
 
-void FixNVEEllipsoid::turn_in_plane(int i) const {
-  const double rate = atom->angmom[i][2] / inertia_about_z(i);
-  store(rotate_about_z(quaternion(atom->quaternion[i]), dtv * rate), atom->quaternion[i]);
-  atom->omega[i][2] = rate;
+double FixNVEEllipsoid::inertia_about_z(int i) const {
+  return checked_inertia(
+      i, planar_inertia(quaternion(atom->quaternion[i]), vector(atom->inertia[i])));
+}
+
+void FixNVEEllipsoid::turn_in_plane(int i) {
+  turning_[turns_in_plane_.size()] = i;
+  turns_in_plane_.add(quaternion(atom->quaternion[i]), atom->angmom[i][2],
+                      vector(atom->inertia[i]));
+  if (turns_in_plane_.full())
+    turn_waiting_in_plane();
+}
+
+void FixNVEEllipsoid::turn_waiting_in_plane() {
+  turns_in_plane_.solve(dtv);
+  for (int k = 0; k < turns_in_plane_.size(); ++k) {
+    const int i = turning_[k];
+    inertia_about_z_[static_cast<std::size_t>(i)] =
+        checked_inertia(i, turns_in_plane_.inertia(k));
+    store(turns_in_plane_.orientation(k), atom->quaternion[i]);
+    atom->omega[i][2] = turns_in_plane_.rate(k);
+  }
+  turns_in_plane_.clear();
+}
+
+/// The angular velocity of the angular momentum at the end of the step. A turn in the plane does not
+/// change the moment of inertia about z; but atoms have other indices when lists are new.
+void FixNVEEllipsoid::update_spin(int i) const {
+  if (!planar_) {
+    store(angular_velocity(vector(atom->angmom[i]), vector(atom->inertia[i]),
+                           quaternion(atom->quaternion[i])),
+          atom->omega[i]);
+    return;
+  }
+  const bool known = neighbor->ago > 0 && static_cast<std::size_t>(i) < inertia_about_z_.size();
+  const double inertia = known ? inertia_about_z_[static_cast<std::size_t>(i)]
+                               : planar_inertia(quaternion(atom->quaternion[i]),
+                                                vector(atom->inertia[i]))
+                                     .about_z;
+  atom->omega[i][2] = atom->angmom[i][2] / inertia;
 }
 
 /// Derivatives of a particle that has none: of constant force, and of a torque that is constant in
@@ -269,6 +305,8 @@ void FixNVEEllipsoid::store_spin(int i, const ellipsoid::Vector3& omega) const {
 
 void FixNVEEllipsoid::initial_integrate(int) {
   const ellipsoid::Gear gear(dtv);
+  if (planar_)
+    inertia_about_z_.resize(static_cast<std::size_t>(atom->nlocal));
   for_each_atom([&](int i) {
     if (gear_) {
       predict(i, gear);
@@ -285,6 +323,7 @@ void FixNVEEllipsoid::initial_integrate(int) {
       turn(i);
   });
   turn_waiting();
+  turn_waiting_in_plane();
 }
 
 void FixNVEEllipsoid::final_integrate() {
@@ -295,16 +334,9 @@ void FixNVEEllipsoid::final_integrate() {
       return;
     }
     kick(i);
-    if (planar_) {
+    if (planar_)
       keep_in_plane(i);
-      const auto inertia =
-          planar_inertia(quaternion(atom->quaternion[i]), vector(atom->inertia[i]));
-      atom->omega[i][2] = atom->angmom[i][2] / inertia.about_z;
-    } else {
-      store(angular_velocity(vector(atom->angmom[i]), vector(atom->inertia[i]),
-                             quaternion(atom->quaternion[i])),
-            atom->omega[i]);
-    }
+    update_spin(i);
   });
 }
 

@@ -60,7 +60,7 @@ private:
   bool prepare() { return particles_.update(); }
   void begin_lists(std::size_t pairs) { watch_.restart(pairs); }
   double travelled(int i) const { return particles_.travelled(i); }
-  double longest_travel() const { return particles_.longest_travel(); }
+  double travel_bound() const { return particles_.travel_bound(); }
   void finish() {}
 
   double treat_pair(int i, int j, std::size_t pair, double travelled, int& flag, double* history) {

@@ -9,6 +9,7 @@
 
 #include "contact_batch.h"
 #include "ellipsoid_contact_loop.h"
+#include "ellipsoid_shapes.h"
 #include "surface_paths.h"
 
 namespace LIGGGHTS {
@@ -19,7 +20,6 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
   friend Base;
   using Base::contact_;
   using Base::counts_;
-  using Base::pair_;
 
 public:
   SmoothContactLoop(LAMMPS* lmp, PairGranEllipsoid* pair, int64_t hash)
@@ -29,21 +29,19 @@ public:
 private:
   enum { normal_x, normal_y, normal_z, was_touching }; // offsets in the history
 
-  const std::vector<ellipsoid::EllipsoidShape>* shapes_ = nullptr;
-
+  EllipsoidShapes shapes_;
   SurfacePaths paths_;
 
   bool prepare() {
-    shapes_ = &pair_->update_shapes();
-    return paths_.update(*this->atom, this->neighbor->ago == 0);
+    const bool new_lists = paths_.update(*this->atom, this->neighbor->ago == 0);
+    shapes_.begin_step(*this->atom);
+    return new_lists;
   }
   void begin_lists(std::size_t) {}
   double travelled(int i) const { return paths_[i]; }
-  double longest_travel() const { return paths_.longest(); }
+  double travel_bound() const { return paths_.bound(); }
 
-  const ellipsoid::EllipsoidShape& shape(int i) const {
-    return (*shapes_)[static_cast<std::size_t>(i)];
-  }
+  const ellipsoid::EllipsoidShape& shape(int i) { return shapes_[i]; }
 
   /// A touching pair starts from its last normal, together with others. All others start from
   /// scratch once a remembered separating normal fails: what a new contact is does not depend on

@@ -24,8 +24,9 @@ bool SurfacePaths::update(const LAMMPS_NS::Atom& atom, bool new_lists) {
   if (restart) {
     poses_.resize(count);
     paths_.assign(count, 0.0);
-    longest_ = 0.0;
+    bound_ = 0.0;
   }
+  double largest_growth = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     Pose& pose = poses_[i];
     const double *x = atom.x[i], *q = atom.quaternion[i];
@@ -40,9 +41,12 @@ bool SurfacePaths::update(const LAMMPS_NS::Atom& atom, bool new_lists) {
       turn += change * change;
       pose.quaternion[k] = q[k];
     }
-    if (!restart)
-      paths_[i] += std::sqrt(way) + atom.radius[i] * largest_angle(std::sqrt(turn));
-    longest_ = std::max(longest_, paths_[i]);
+    if (restart)
+      continue;
+    const double growth = std::sqrt(way) + atom.radius[i] * largest_angle(std::sqrt(turn));
+    paths_[i] += growth;
+    largest_growth = std::max(largest_growth, growth);
   }
+  bound_ += largest_growth;
   return restart;
 }

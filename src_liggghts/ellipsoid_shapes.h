@@ -1,0 +1,47 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// The ellipsoids of owned and ghost particles as the contact search takes them: A = R diag R^T, made
+// once per particle and time step, and only of particles that are asked for.
+#ifndef ELLIPSOID_SHAPES_H_
+#define ELLIPSOID_SHAPES_H_
+
+#include "atom.h"
+#include "ellipsoid_contact.h"
+#include "ellipsoid_host.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace LIGGGHTS {
+
+class EllipsoidShapes {
+public:
+  /// Particles have moved: all shapes are made anew when they are asked for. References to shapes
+  /// are good until the next call.
+  void begin_step(const LAMMPS_NS::Atom& atom) {
+    atom_ = &atom;
+    const auto count = static_cast<std::size_t>(atom.nlocal + atom.nghost);
+    if (shapes_.size() != count)
+      shapes_.resize(count);
+    fresh_.assign(count, 0);
+  }
+
+  const ellipsoid::EllipsoidShape& operator[](int i) {
+    const auto index = static_cast<std::size_t>(i);
+    if (!fresh_[index]) {
+      fresh_[index] = 1;
+      shapes_[index] = ellipsoid::make_shape(ellipsoid_host::vector(atom_->shape[i]),
+                                             ellipsoid_host::quaternion(atom_->quaternion[i]));
+    }
+    return shapes_[index];
+  }
+
+private:
+  const LAMMPS_NS::Atom* atom_ = nullptr;
+  std::vector<ellipsoid::EllipsoidShape> shapes_;
+  std::vector<char> fresh_;
+};
+
+} // namespace LIGGGHTS
+
+#endif
