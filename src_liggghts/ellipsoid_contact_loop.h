@@ -104,7 +104,7 @@ public:
     wake_pairs();
     std::size_t kept = 0;
     for (std::size_t k = 0; k < awake_.size(); ++k) {
-      AwakePair& pair = awake_[k];
+      const AwakePair& pair = awake_[k];
       prefetch(k + pairs_ahead);
       const double travelled = surface.travelled(pair.i) + surface.travelled(pair.j);
       const double gap = surface.treat_pair(pair.i, pair.j, pair.place, travelled, *pair.flag, pair.history);
@@ -112,8 +112,10 @@ public:
         put_to_sleep(pair, travelled, trusted_share_of_gap * gap);
         continue;
       }
-      pair.touched = *pair.flag != 0;
-      awake_[kept++] = pair;
+      const bool touches = *pair.flag != 0;
+      if (kept != k)
+        awake_[kept] = pair;
+      awake_[kept++].touched = touches;
     }
     awake_.resize(kept);
     surface.finish();

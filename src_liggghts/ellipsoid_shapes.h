@@ -28,11 +28,8 @@ public:
 
   const ellipsoid::EllipsoidShape& operator[](int i) {
     const auto index = static_cast<std::size_t>(i);
-    if (!fresh_[index]) {
-      fresh_[index] = 1;
-      shapes_[index] = ellipsoid::make_shape(ellipsoid_host::vector(atom_->shape[i]),
-                                             ellipsoid_host::quaternion(atom_->quaternion[i]));
-    }
+    if (!fresh_[index])
+      make(i);
     return shapes_[index];
   }
 
@@ -40,6 +37,13 @@ private:
   const LAMMPS_NS::Atom* atom_ = nullptr;
   std::vector<ellipsoid::EllipsoidShape> shapes_;
   std::vector<char> fresh_;
+
+  __attribute__((noinline, flatten)) void make(int i) {
+    const auto index = static_cast<std::size_t>(i);
+    fresh_[index] = 1;
+    shapes_[index] = ellipsoid::make_shape(ellipsoid_host::vector(atom_->shape[i]),
+                                           ellipsoid_host::quaternion(atom_->quaternion[i]));
+  }
 };
 
 } // namespace LIGGGHTS

@@ -113,7 +113,7 @@ void FixNVEEllipsoid::reset_dt() {
 }
 
 /// Half a time step of force and torque.
-void FixNVEEllipsoid::kick(int i) const {
+inline void FixNVEEllipsoid::kick(int i) const {
   const double* f = atom->f[i];
   const double* torque = atom->torque[i];
   double* v = atom->v[i];
@@ -126,7 +126,7 @@ void FixNVEEllipsoid::kick(int i) const {
 }
 
 /// Takes out what rounding (or a force out of the plane) has put in.
-void FixNVEEllipsoid::keep_in_plane(int i) const {
+inline void FixNVEEllipsoid::keep_in_plane(int i) const {
   atom->f[i][2] = atom->v[i][2] = 0.0;
   for (int k = 0; k < 2; ++k)
     atom->torque[i][k] = atom->angmom[i][k] = atom->omega[i][k] = 0.0;
@@ -303,7 +303,8 @@ void FixNVEEllipsoid::store_spin(int i, const ellipsoid::Vector3& omega) const {
         atom->angmom[i]);
 }
 
-void FixNVEEllipsoid::initial_integrate(int) {
+/// Everything that is done per particle is inlined.
+__attribute__((flatten)) void FixNVEEllipsoid::initial_integrate(int) {
   const ellipsoid::Gear gear(dtv);
   if (planar_)
     inertia_about_z_.resize(static_cast<std::size_t>(atom->nlocal));
@@ -326,7 +327,8 @@ void FixNVEEllipsoid::initial_integrate(int) {
   turn_waiting_in_plane();
 }
 
-void FixNVEEllipsoid::final_integrate() {
+/// Everything that is done per particle is inlined.
+__attribute__((flatten)) void FixNVEEllipsoid::final_integrate() {
   const ellipsoid::Gear gear(dtv);
   for_each_atom([&](int i) {
     if (gear_) {
