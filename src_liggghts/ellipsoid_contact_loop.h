@@ -17,6 +17,7 @@
 #include "force.h"
 #include "neigh_list.h"
 #include "neighbor.h"
+#include "particle_arrays.h"
 #include "pair_gran_ellipsoid.h"
 #include "settings.h"
 #include "update.h"
@@ -129,6 +130,8 @@ protected:
   SurfacesIntersectData contact_;
   ForceData force_i_, force_j_;
   ContactCounts counts_;
+  ParticleArrays particles_;
+  bool newton_ = false;
   int history_values_ = 0; // per pair
   bool collect_ = false;   // for compute pair/gran/local
   bool reports_ = false;   // somebody wants to know of each contact
@@ -166,14 +169,14 @@ protected:
 
   /// x_j - x_i.
   ellipsoid::Vector3 centre_distance(int i, int j) const {
-    const double* x_i = atom->x[i];
-    const double* x_j = atom->x[j];
+    const double* x_i = particles_.x[i];
+    const double* x_j = particles_.x[j];
     return {x_j[0] - x_i[0], x_j[1] - x_i[1], x_j[2] - x_i[2]};
   }
 
   /// Gap between the bounding spheres, 0 if they overlap.
   double bounding_gap(int i, int j, const ellipsoid::Vector3& distance) const {
-    const double reach = atom->radius[i] + atom->radius[j], squared = dot(distance, distance);
+    const double reach = particles_.radius[i] + particles_.radius[j], squared = dot(distance, distance);
     return squared < reach * reach ? 0.0 : std::sqrt(squared) - reach;
   }
 
@@ -259,7 +262,7 @@ protected:
   }
 
   /// Pairs with a ghost are treated by two ranks.
-  double share(int j) const { return j < atom->nlocal ? 1.0 : 0.5; }
+  double share(int j) const { return j < particles_.owned ? 1.0 : 0.5; }
 
   void begin(int eflag, int vflag, int addflag) {
     if (eflag || vflag)
@@ -267,6 +270,8 @@ protected:
     else
       pair_->evflag = pair_->vflag_fdotr = 0;
     history_values_ = pair_->dnum();
+    particles_ = ParticleArrays(*atom);
+    newton_ = force->newton_pair;
     counts_ = ContactCounts();
     collect_ = pair_->cpl() && addflag;
     reports_ = collect_ || pair_->evflag || pair_->store_sum_normal_force() ||
@@ -337,7 +342,7 @@ protected:
   WaitingContact waiting_contacts_[ellipsoid::ContactLawBatch::capacity];
 
   TouchingPair touching_pair(int i, int j, const ellipsoid::Vector3& distance, int& flag) const {
-    TouchingPair pair{i, j, &flag, distance, atom->rmass[i], atom->rmass[j], 0.0};
+    TouchingPair pair{i, j, &flag, distance, particles_.mass[i], particles_.mass[j], 0.0};
     if (rigid_masses_) {
       if (rigid_masses_[i] > 0.0)
         pair.mass_i = rigid_masses_[i];
@@ -345,9 +350,9 @@ protected:
         pair.mass_j = rigid_masses_[j];
     }
     pair.effective_mass = pair.mass_i * pair.mass_j / (pair.mass_i + pair.mass_j);
-    if (atom->mask[i] & frozen_group_)
+    if (particles_.mask[i] & frozen_group_)
       pair.effective_mass = pair.mass_j;
-    if (atom->mask[j] & frozen_group_)
+    if (particles_.mask[j] & frozen_group_)
       pair.effective_mass = pair.mass_i;
     return pair;
   }
@@ -365,9 +370,10 @@ protected:
                                             touch.sphere_j};
     law_batch_.add({-touch.normal, touch.point, touch.point - pair.distance,
                     std::max(0.0, touch.overlap), touch.reduced_radius},
-                   {vector(atom->v[i]) - vector(atom->v[j]), vector(atom->omega[i]),
-                    vector(atom->omega[j])},
-                   tables_.parameters(atom->type[i], atom->type[j], pair.effective_mass),
+                   {vector(particles_.v[i]) - vector(particles_.v[j]), vector(particles_.omega[i]),
+                    vector(particles_.omega[j])},
+                   tables_.parameters(particles_.type[i], particles_.type[j],
+                                      pair.effective_mass),
                    vector(&touch.history[spring_offset_]));
     if (law_batch_.full())
       apply_waiting_contacts();
@@ -397,11 +403,11 @@ protected:
     law_batch_.clear();
   }
 
-  bool owns(int j) const { return force->newton_pair || j < atom->nlocal; }
+  bool owns(int j) const { return newton_ || j < particles_.owned; }
 
   void add_action(const WaitingContact& contact, const ellipsoid::ContactAction& action) {
     const auto add = [this](int k, const ellipsoid::Vector3& f, const ellipsoid::Vector3& t) {
-      double *to = atom->f[k], *torque = atom->torque[k];
+      double *to = particles_.f[k], *torque = particles_.torque[k];
       to[0] += f.x;
       to[1] += f.y;
       to[2] += f.z;

@@ -5,9 +5,9 @@
 #ifndef ELLIPSOID_SHAPES_H_
 #define ELLIPSOID_SHAPES_H_
 
-#include "atom.h"
 #include "ellipsoid_contact.h"
 #include "ellipsoid_host.h"
+#include "particle_arrays.h"
 
 #include <cstddef>
 #include <vector>
@@ -19,7 +19,7 @@ public:
   /// Particles have moved: all shapes are made anew when they are asked for. References to shapes
   /// are good until the next call.
   void begin_step(const LAMMPS_NS::Atom& atom) {
-    atom_ = &atom;
+    particles_ = ParticleArrays(atom);
     const auto count = static_cast<std::size_t>(atom.nlocal + atom.nghost);
     if (shapes_.size() != count)
       shapes_.resize(count);
@@ -34,15 +34,15 @@ public:
   }
 
 private:
-  const LAMMPS_NS::Atom* atom_ = nullptr;
+  ParticleArrays particles_;
   std::vector<ellipsoid::EllipsoidShape> shapes_;
   std::vector<char> fresh_;
 
   __attribute__((noinline, flatten)) void make(int i) {
     const auto index = static_cast<std::size_t>(i);
     fresh_[index] = 1;
-    shapes_[index] = ellipsoid::make_shape(ellipsoid_host::vector(atom_->shape[i]),
-                                           ellipsoid_host::quaternion(atom_->quaternion[i]));
+    shapes_[index] = ellipsoid::make_shape(ellipsoid_host::vector(particles_.shape[i]),
+                                           ellipsoid_host::quaternion(particles_.quaternion[i]));
   }
 };
 

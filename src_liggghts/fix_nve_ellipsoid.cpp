@@ -19,6 +19,7 @@
 #include <vector>
 
 using namespace LAMMPS_NS;
+using LIGGGHTS::ParticleArrays;
 using ellipsoid_host::quaternion;
 using ellipsoid_host::store;
 using ellipsoid_host::vector;
@@ -100,6 +101,7 @@ template <class Action> void FixNVEEllipsoid::for_each_atom(Action action) const
 }
 
 void FixNVEEllipsoid::setup(int) {
+  particles_ = ParticleArrays(*atom);
   if (gear_)
     for_each_atom([this](int i) {
       if (translation_->array_atom[i][0] == 0.0)
@@ -114,11 +116,11 @@ void FixNVEEllipsoid::reset_dt() {
 
 /// Half a time step of force and torque.
 inline void FixNVEEllipsoid::kick(int i) const {
-  const double* f = atom->f[i];
-  const double* torque = atom->torque[i];
-  double* v = atom->v[i];
-  double* momentum = atom->angmom[i];
-  const double scale = dtf / atom->rmass[i];
+  const double* f = particles_.f[i];
+  const double* torque = particles_.torque[i];
+  double* v = particles_.v[i];
+  double* momentum = particles_.angmom[i];
+  const double scale = dtf / particles_.mass[i];
   for (int k = 0; k < 3; ++k) {
     v[k] += scale * f[k];
     momentum[k] += dtf * torque[k];
@@ -127,16 +129,16 @@ inline void FixNVEEllipsoid::kick(int i) const {
 
 /// Takes out what rounding (or a force out of the plane) has put in.
 inline void FixNVEEllipsoid::keep_in_plane(int i) const {
-  atom->f[i][2] = atom->v[i][2] = 0.0;
+  particles_.f[i][2] = particles_.v[i][2] = 0.0;
   for (int k = 0; k < 2; ++k)
-    atom->torque[i][k] = atom->angmom[i][k] = atom->omega[i][k] = 0.0;
+    particles_.torque[i][k] = particles_.angmom[i][k] = particles_.omega[i][k] = 0.0;
 }
 
 /// Particles turn together with others: as soon as the batch is full, at the latest in
 /// turn_waiting().
 void FixNVEEllipsoid::turn(int i) {
   turning_[turns_.size()] = i;
-  turns_.add(quaternion(atom->quaternion[i]), vector(atom->angmom[i]), vector(atom->inertia[i]));
+  turns_.add(quaternion(particles_.quaternion[i]), vector(particles_.angmom[i]), vector(particles_.inertia[i]));
   if (turns_.full())
     turn_waiting();
 }
@@ -144,8 +146,8 @@ void FixNVEEllipsoid::turn(int i) {
 void FixNVEEllipsoid::turn_waiting() {
   turns_.solve(dtv);
   for (int k = 0; k < turns_.size(); ++k) {
-    store(turns_.orientation(k), atom->quaternion[turning_[k]]);
-    store(turns_.omega(k), atom->omega[turning_[k]]);
+    store(turns_.orientation(k), particles_.quaternion[turning_[k]]);
+    store(turns_.omega(k), particles_.omega[turning_[k]]);
   }
   turns_.clear();
 }
@@ -168,8 +170,8 @@ double FixNVEEllipsoid::inertia_about_z(int i) const {
 
 void FixNVEEllipsoid::turn_in_plane(int i) {
   turning_[turns_in_plane_.size()] = i;
-  turns_in_plane_.add(quaternion(atom->quaternion[i]), atom->angmom[i][2],
-                      vector(atom->inertia[i]));
+  turns_in_plane_.add(quaternion(particles_.quaternion[i]), particles_.angmom[i][2],
+                      vector(particles_.inertia[i]));
   if (turns_in_plane_.full())
     turn_waiting_in_plane();
 }
@@ -180,8 +182,8 @@ void FixNVEEllipsoid::turn_waiting_in_plane() {
     const int i = turning_[k];
     inertia_about_z_[static_cast<std::size_t>(i)] =
         checked_inertia(i, turns_in_plane_.inertia(k));
-    store(turns_in_plane_.orientation(k), atom->quaternion[i]);
-    atom->omega[i][2] = turns_in_plane_.rate(k);
+    store(turns_in_plane_.orientation(k), particles_.quaternion[i]);
+    particles_.omega[i][2] = turns_in_plane_.rate(k);
   }
   turns_in_plane_.clear();
 }
@@ -190,17 +192,17 @@ void FixNVEEllipsoid::turn_waiting_in_plane() {
 /// change the moment of inertia about z; but atoms have other indices when lists are new.
 void FixNVEEllipsoid::update_spin(int i) const {
   if (!planar_) {
-    store(angular_velocity(vector(atom->angmom[i]), vector(atom->inertia[i]),
-                           quaternion(atom->quaternion[i])),
-          atom->omega[i]);
+    store(angular_velocity(vector(particles_.angmom[i]), vector(particles_.inertia[i]),
+                           quaternion(particles_.quaternion[i])),
+          particles_.omega[i]);
     return;
   }
   const bool known = neighbor->ago > 0 && static_cast<std::size_t>(i) < inertia_about_z_.size();
   const double inertia = known ? inertia_about_z_[static_cast<std::size_t>(i)]
-                               : planar_inertia(quaternion(atom->quaternion[i]),
-                                                vector(atom->inertia[i]))
+                               : planar_inertia(quaternion(particles_.quaternion[i]),
+                                                vector(particles_.inertia[i]))
                                      .about_z;
-  atom->omega[i][2] = atom->angmom[i][2] / inertia;
+  particles_.omega[i][2] = particles_.angmom[i][2] / inertia;
 }
 
 /// Derivatives of a particle that has none: of constant force, and of a torque that is constant in
@@ -306,6 +308,7 @@ void FixNVEEllipsoid::store_spin(int i, const ellipsoid::Vector3& omega) const {
 /// Everything that is done per particle is inlined.
 __attribute__((flatten)) void FixNVEEllipsoid::initial_integrate(int) {
   const ellipsoid::Gear gear(dtv);
+  particles_ = ParticleArrays(*atom);
   if (planar_)
     inertia_about_z_.resize(static_cast<std::size_t>(atom->nlocal));
   for_each_atom([&](int i) {
@@ -317,7 +320,7 @@ __attribute__((flatten)) void FixNVEEllipsoid::initial_integrate(int) {
     if (planar_)
       keep_in_plane(i);
     for (int k = 0; k < 3; ++k)
-      atom->x[i][k] += dtv * atom->v[i][k];
+      particles_.x[i][k] += dtv * particles_.v[i][k];
     if (planar_)
       turn_in_plane(i);
     else
@@ -330,6 +333,7 @@ __attribute__((flatten)) void FixNVEEllipsoid::initial_integrate(int) {
 /// Everything that is done per particle is inlined.
 __attribute__((flatten)) void FixNVEEllipsoid::final_integrate() {
   const ellipsoid::Gear gear(dtv);
+  particles_ = ParticleArrays(*atom);
   for_each_atom([&](int i) {
     if (gear_) {
       correct(i, gear);

@@ -8,6 +8,7 @@ FixStyle(nve/ellipsoid,FixNVEEllipsoid)
 #define LMP_FIX_NVE_ELLIPSOID_H
 
 #include "fix_nve.h"
+#include "particle_arrays.h"
 #include "rotation_batch.h"
 
 #include <vector>
@@ -38,6 +39,7 @@ public:
 
 private:
   bool planar_ = false; // motion in the xy plane only
+  LIGGGHTS::ParticleArrays particles_; // of the half step in work
   ellipsoid::RotationBatch turns_;
   ellipsoid::PlanarRotationBatch turns_in_plane_;
   int turning_[ellipsoid::RotationBatch::capacity]; // particles of the batch
