@@ -188,8 +188,9 @@ void FixNVEEllipsoid::turn_waiting_in_plane() {
   turns_in_plane_.clear();
 }
 
-/// The angular velocity of the angular momentum at the end of the step. A turn in the plane does not
-/// change the moment of inertia about z; but atoms have other indices when lists are new.
+/// The angular velocity of the angular momentum at the end of the step. In the plane the moment of
+/// inertia is known from the turn, but atoms have other indices when lists are new: then it is
+/// computed again, with the same result.
 void FixNVEEllipsoid::update_spin(int i) const {
   if (!planar_) {
     store(angular_velocity(vector(particles_.angmom[i]), vector(particles_.inertia[i]),

@@ -43,7 +43,7 @@ private:
   ellipsoid::RotationBatch turns_;
   ellipsoid::PlanarRotationBatch turns_in_plane_;
   int turning_[ellipsoid::RotationBatch::capacity]; // particles of the batch
-  std::vector<double> inertia_about_z_;              // of the last turn in the plane
+  std::vector<double> inertia_about_z_;              // after the last turn in the plane
   bool gear_ = false;
   // of `integrator gear`, per atom: started (1) or not (0), then second to fifth derivative of x,
   // y, z

@@ -55,10 +55,12 @@ inline void rotate_in_plane_loop(PlanarRotationBatch::Columns& c, int size) {
     const Quaternion q = quaternion_of(c, k);
     const PlanarInertia inertia = planar_inertia(q, inertia_of(c, k));
     const double rate = c.values[C::mz][k] / inertia.about_z;
-    put(c, rotate_about_z(q, time_step * rate), k);
+    const Quaternion turned = rotate_about_z(q, time_step * rate);
+    const PlanarInertia after = planar_inertia(turned, inertia_of(c, k));
+    put(c, turned, k);
     c.values[C::rate][k] = rate;
-    c.values[C::about_z][k] = inertia.about_z;
-    c.values[C::misaligned][k] = inertia.misaligned;
+    c.values[C::about_z][k] = after.about_z;
+    c.values[C::misaligned][k] = after.misaligned;
   }
 }
 

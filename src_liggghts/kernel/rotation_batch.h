@@ -56,7 +56,9 @@ public:
   void solve(double time_step);
 
   Quaternion orientation(int k) const; ///< of body k after the step
-  double rate(int k) const { return columns_.values[Columns::rate][k]; } ///< (rad/time)
+  /// Angular velocity during the step (rad/time).
+  double rate(int k) const { return columns_.values[Columns::rate][k]; }
+  /// After the step.
   PlanarInertia inertia(int k) const {
     return {columns_.values[Columns::about_z][k], columns_.values[Columns::misaligned][k]};
   }
