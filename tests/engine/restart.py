@@ -4,6 +4,8 @@ What the restart file must give back: every particle with its motion, the contac
 remembered normals) and the schedule of fix insert/drop. The input is the paper's piling problem.
 """
 
+import re
+import struct
 import unittest
 from pathlib import Path
 
@@ -92,6 +94,18 @@ class Restart(unittest.TestCase):
                 self.assertEqual(difference.max(), 0.0, f"step {step}, particle {i}, column {worst + 1}: "
                                  f"{values[worst]!r} and {again[step][i][worst]!r}")
         return len(whole[begin]) - touched
+
+    def test_a_file_without_the_step_of_the_next_try_is_read(self):
+        """Older files hold two numbers of fix insert/drop only: particles so far and the first step."""
+        content = Path("half.restart").read_bytes()[:-32]  # without the checksum, as of another engine
+        content = content.replace(b"liggghts-ellipsoid", b"something-else-abc", 1)
+        (at,) = [m.start() for m in re.finditer(re.escape(struct.pack("<id", 32, -1.0)), content)]
+        inserted, first, next_try = struct.unpack_from("<3d", content, at + 12)
+        self.assertEqual((inserted, first, next_try), (19, 1, -1))
+        Path("old.restart").write_bytes(content[:at] + struct.pack("<i2d", 16, inserted, first) + content[at + 36:])
+        run(pile(lambda setup: "read_restart old.restart\n") + dump("old.dump", SAMPLE) + f"run {HALF}\n",
+            name="in.old")
+        self.assertEqual(Path("old.dump").read_bytes(), Path("again.dump").read_bytes())
 
     def test_the_same_restart_gives_the_same_run(self):
         self.assertEqual(Path("again.dump").read_bytes(), Path("twice.dump").read_bytes())
