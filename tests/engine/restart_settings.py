@@ -8,13 +8,16 @@ some of them see particles in the air, in rich contact, and waiting for a place.
 """
 
 import re
+import signal
+import subprocess
+import time
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
 
-from _engine import LAW, Setup, dump, run
+from _engine import LAW, LIGGGHTS, Setup, dump, run
 from _mesh import floor, mesh, mesh_wall, quad, write_stl
 from contact_models import with_properties
 
@@ -145,14 +148,35 @@ class Settings(unittest.TestCase):
                             for surface in ("smooth", "multisphere")
                             for name, options in settings().items()])
 
-    def test_two_ranks(self):
+    def test_more_ranks(self):
         few = "floor", "periodic", "shrunk", "turning", "gear", "pack", "stream"
         self.interrupt_all([(f"{surface}.{name}.2", 2, [END], {"surface": surface, **settings()[name]})
-                            for surface in ("smooth", "multisphere") for name in few])
+                            for surface in ("smooth", "multisphere") for name in few]
+                           + [("smooth.floor.4", 4, [END], {"surface": "smooth"})])
 
     def test_a_script_of_several_runs(self):
         self.interrupt_all([(f"{surface}.runs", 1, [2500, EVERY, 7000, END], {"surface": surface})
                             for surface in ("smooth", "multisphere")])
+
+    def test_a_file_that_a_signal_asked_for(self):
+        """SIGUSR1: the file is written at whatever step the run has reached, and the run goes on."""
+        steps = 4 * END
+        end = f"run {steps} upto\n"
+        Path("in.signal").write_text(script(None, "smooth") + dump("signal.dump", SAMPLE) + end)
+        with subprocess.Popen([str(LIGGGHTS), "-in", "in.signal", "-log", "none"],
+                              stdout=subprocess.DEVNULL) as process:
+            while not (Path("signal.dump").exists() and f"\n{END}\n" in Path("signal.dump").read_text()):
+                self.assertIsNone(process.poll(), "the run was over before the signal")
+                time.sleep(0.01)
+            process.send_signal(signal.SIGUSR1)
+            self.assertEqual(process.wait(), 0)
+        (file,) = Path().glob("restart_forced_liggghts_*.data")
+        step = int(re.search(r"\d+", file.name)[0])
+        self.assertTrue(END <= step < steps, f"the file is of step {step}")
+        run(script(f"read_restart {file}\n", "smooth") + dump("signal.again", SAMPLE) + end, name="in.signal.again")
+        found, whole = frames("signal.again"), frames("signal.dump")
+        self.assertEqual(max(found), steps)
+        self.assertEqual(found, {s: lines for s, lines in whole.items() if s >= step})
 
 
 if __name__ == "__main__":
