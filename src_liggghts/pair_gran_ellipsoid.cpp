@@ -10,6 +10,7 @@
 #include "force.h"
 #include "multisphere_contact_loop.h"
 #include "neighbor.h"
+#include "particle_check.h"
 #include "smooth_contact_loop.h"
 
 #include <map>
@@ -125,6 +126,7 @@ void PairGranEllipsoid::init_style() {
     error->all(FLERR, "pair_style gran/ellipsoid: with 'neighbor ... multi' the host makes no lists for "
                       "granular pair styles; use 'bin' or 'nsq'");
   check_pages();
+  ellipsoid_host::check_particles(lmp, "pair_style gran/ellipsoid");
   PairGran::init_style();
   if (store_multicontact_data_)
     error->all(FLERR, "pair_style gran/ellipsoid does not work with fix multicontact/halfspace; "
