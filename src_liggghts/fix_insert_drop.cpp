@@ -21,6 +21,14 @@ using namespace FixConst;
 using ellipsoid_host::store;
 using ellipsoid_host::vector;
 
+namespace {
+
+/// Begins the state in restart files; files without it begin with a number of particles, and end before
+/// the step of the next try.
+constexpr double with_next_try = -1.0;
+
+} // namespace
+
 FixInsertDrop::FixInsertDrop(LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg) {
   restart_global = 1;
   scalar_flag = 1;
@@ -99,9 +107,12 @@ void FixInsertDrop::schedule() {
     return;
   }
   const bigint due = first_step_ + static_cast<bigint>(std::llround(inserted_ * interval_ / update->dt));
-  // a taken place is tried again a few times per interval: every try rebuilds the neighbour lists
-  const bigint wait = postponed_ ? 1 + static_cast<bigint>(0.1 * interval_ / update->dt) : 1;
-  next_reneighbor = std::max(due, update->ntimestep + wait);
+  next_reneighbor = std::max({due, next_try_, update->ntimestep + 1});
+}
+
+/// A taken place is tried again a few times per interval: every try rebuilds the neighbour lists.
+bigint FixInsertDrop::steps_between_tries() const {
+  return 1 + static_cast<bigint>(0.1 * interval_ / update->dt);
 }
 
 double FixInsertDrop::max_rad(int type) {
@@ -192,12 +203,14 @@ void FixInsertDrop::pre_exchange() {
   if (place_is_free(particle)) {
     insert(particle);
     ++inserted_;
-    postponed_ = 0;
-  } else if (postponed_++ == 0 && comm->me == 0) {
-    error->warning(FLERR, ("Fix insert/drop (id " + std::string(id) + "): the place of particle " +
-                           std::to_string(inserted_ + 1) +
-                           " is taken; it waits until the place is free")
-                              .c_str());
+    next_try_ = -1;
+  } else {
+    if (next_try_ < 0 && comm->me == 0)
+      error->warning(FLERR, ("Fix insert/drop (id " + std::string(id) + "): the place of particle " +
+                             std::to_string(inserted_ + 1) +
+                             " is taken; it waits until the place is free")
+                                .c_str());
+    next_try_ = update->ntimestep + steps_between_tries();
   }
   schedule();
 }
@@ -205,15 +218,21 @@ void FixInsertDrop::pre_exchange() {
 void FixInsertDrop::write_restart(FILE* file) {
   if (comm->me != 0)
     return;
-  const double state[2] = {static_cast<double>(inserted_), static_cast<double>(first_step_)};
+  const double state[] = {with_next_try, static_cast<double>(inserted_),
+                          static_cast<double>(first_step_), static_cast<double>(next_try_)};
   const int size = sizeof(state);
   fwrite(&size, sizeof(int), 1, file);
-  fwrite(state, sizeof(double), 2, file);
+  fwrite(state, 1, sizeof(state), file);
 }
 
 void FixInsertDrop::restart(char* buffer) {
-  double state[2];
-  std::memcpy(state, buffer, sizeof(state));
+  double first;
+  std::memcpy(&first, buffer, sizeof(first));
+  const bool has_next_try = first == with_next_try;
+  double state[3] = {0.0, 0.0, -1.0};
+  std::memcpy(state, buffer + (has_next_try ? sizeof(first) : 0),
+              (has_next_try ? 3 : 2) * sizeof(double));
   inserted_ = static_cast<int>(state[0]);
   first_step_ = static_cast<bigint>(state[1]);
+  next_try_ = static_cast<bigint>(state[2]);
 }

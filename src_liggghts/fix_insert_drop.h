@@ -42,10 +42,11 @@ private:
   double high_[3] = {0., 0., 0.};
   ellipsoid::Vector3 velocity_; // (length/time)
   int inserted_ = 0;
-  int postponed_ = 0; // steps that the next drop has waited for a free place
+  bigint next_try_ = -1; // step of it, for a drop whose place was taken; else -1
 
   void parse(int narg, char** arg);
   void schedule();
+  bigint steps_between_tries() const;
   void draw(ParticleToInsertEllipsoid& particle) const;
   bool is_mine(const double* position) const;
   bool place_is_free(const ParticleToInsertEllipsoid& particle) const;

@@ -155,16 +155,6 @@ void PairGranEllipsoid::read_restart_settings(FILE* file, const int, const int) 
   create(variant);
 }
 
-const std::vector<ellipsoid::EllipsoidShape>& PairGranEllipsoid::update_shapes() {
-  const int count = atom->nlocal + atom->nghost;
-  shapes_.resize(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i)
-    shapes_[static_cast<std::size_t>(i)] =
-        ellipsoid::make_shape(ellipsoid_host::vector(atom->shape[i]),
-                              ellipsoid_host::quaternion(atom->quaternion[i]));
-  return shapes_;
-}
-
 void PairGranEllipsoid::publish(const ContactCounts& counts) {
   counts_ = counts;
   if (counts.values[ContactCounts::not_converged] > 0.0 && !warned_) {

@@ -2,8 +2,9 @@
 # A small campaign that is killed on the way and started again gives the same figures, to the last
 # digit, as one that was left alone.
 set -euo pipefail
-variables=(-var particles 60 -var y0 0.04 -var dt 1e-5 -var settle 0.4 -var dump_time 0.5
+variables=(-var particles 60 -var y0 0.04 -var dt 1e-5 -var settle 1.2 -var dump_time 0.5
   -var restart_time 0.05 -var vtk no)
+rest=270000 # step at which the particles lie on each other
 matrix=(--surfaces "smooth 5" --seeds "1 2")
 
 campaign() {
@@ -13,6 +14,17 @@ campaign() {
 fail() {
   echo "FAILED: $*" >&2
   exit 1
+}
+
+# newest_step FOLDER: of its restart files, which end with length, step and checksum
+newest_step() {
+  local newest=0 step
+  for file in "$1"/restart.1 "$1"/restart.2; do
+    [[ -s $file ]] || continue
+    step=$(tail -c 16 "$file" | od -A n -t d8 -N 8)
+    [[ $step -le $newest ]] || newest=$((step))
+  done
+  echo "$newest"
 }
 
 echo "--- left alone"
@@ -25,13 +37,13 @@ echo "--- killed"
 setsid bash "$ELLIPSOID_SOURCE/inputs/campaign.sh" --out killed "${matrix[@]}" --jobs 2 -- \
   "${variables[@]}" >killed.out 2>&1 &
 campaign_group=$!
-for _ in $(seq 600); do # until both of the runs that go first can be resumed
-  [[ -s killed/smooth_seed1/restart.1 && -s killed/smooth_seed2/restart.1 ]] && break
-  sleep 0.1
+for _ in $(seq 3000); do
+  [[ $(newest_step killed/smooth_seed1) -lt $rest ]] || break
+  sleep 0.02
 done
 kill -KILL -- "-$campaign_group"
 wait "$campaign_group" 2>/dev/null || true
-[[ ! -e killed/report.html ]] || fail "the campaign was over before it could be killed"
+[[ ! -e killed/smooth_seed1/pile.csv ]] || fail "the run was over before it could be killed"
 
 echo "--- resumed"
 campaign killed
@@ -40,6 +52,12 @@ for run in smooth_seed1 smooth_seed2 ms5_seed1 ms5_seed2; do
   cmp <(cut -d, -f2- "alone/$run/pile.csv") <(cut -d, -f2- "killed/$run/pile.csv") ||
     fail "$run differs"
 done
+
+# the first line of the resumed run: step, time, particles, two energies, pairs that touch
+read -r step _ _ _ _ pairs _ < <(awk '/^ *Step / { getline; first = $0 } END { print first }' \
+  killed/smooth_seed1/log.piling)
+echo "smooth_seed1 went on from step $step with $pairs pairs in contact"
+[[ $step -ge $rest && $pairs -gt 0 ]] || fail "no contact at the interruption"
 
 echo "--- wrong use"
 if bash "$ELLIPSOID_SOURCE/inputs/campaign.sh" --out x --surfaces round 2>message; then

@@ -95,6 +95,26 @@ class Continuity(unittest.TestCase):
         worst = max(np.abs(whole[k] - self.reference[k]).max() for k in whole)
         self.assertEqual(worst, 0.0)
 
+    def test_restart_files_of_a_run_in_one_go(self):
+        """At some of the interruptions a drop waits for its place, which is taken."""
+        end, every = 15000, 3000
+        for ranks in 1, 2:
+            name = f"go{ranks}"
+            restart, sample = f"restart {every} {{0}}.*.restart\n", "thermo 1000\n"
+            run(heap(ranks=ranks) + sample + restart.format(name) + dump(f"{name}.dump", EVERY) + f"run {end}\n",
+                ranks, name=f"in.{name}")
+            whole = rows(f"{name}.dump")
+            self.assertIn("it waits", Path(f"log.in.{name}").read_text())
+            for step in range(every, end, every):
+                with self.subTest(ranks=ranks, step=step):
+                    run(heap(f"read_restart {name}.{step}.restart\n", ranks=ranks) + sample
+                        + restart.format("again") + dump("again.dump", EVERY) + f"run {end} upto\n",
+                        ranks, name="in.again")
+                    again = rows("again.dump")
+                    later = {key for key in whole if key[0] >= step}
+                    self.assertEqual(later, again.keys())
+                    self.assertEqual(max(np.abs(whole[k] - again[k]).max() for k in again), 0.0)
+
     def test_ranks(self):
         for ranks in (2, 4):
             x, force = largest_difference(self.reference, self.go_on(f"ranks{ranks}", ranks=ranks))
