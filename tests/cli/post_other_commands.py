@@ -122,7 +122,7 @@ def check_space():
     post("render3d", name, "-o", "bed.jpg", expect=2)
     post("render3d", name, "-o", "film_*.svg", "--colour", "id", "--colour-range", 0, 500, "--title",
          "A lattice")
-    with open("film_5.svg", encoding="utf8") as file:
+    with open("film_0000000005.svg", encoding="utf8") as file:
         text = file.read()
     assert text.count("<image ") == 1 and "data:image/png;base64" in text
     for words in "A lattice", ">0<", ">500<", ">id<", " mm<":

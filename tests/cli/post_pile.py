@@ -98,7 +98,7 @@ def check_formats(reference):
     with open("pile.png", "rb") as file:
         assert file.read(8) == b"\x89PNG\r\n\x1a\n"
     post("render", "many.dump", "--frame", "all", "-o", "film_*.svg", "--colour", "angle")
-    assert os.path.exists("film_99.svg") and os.path.exists("film_100.svg")
+    assert os.path.exists("film_0000000099.svg") and os.path.exists("film_0000000100.svg")
 
 
 def check_fine_chains(reference):
