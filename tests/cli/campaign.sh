@@ -2,7 +2,7 @@
 # A small campaign that is killed on the way and started again gives the same figures, to the last
 # digit, as one that was left alone.
 set -euo pipefail
-variables=(-var particles 15 -var y0 0.03 -var dt 1e-5 -var settle 2.5 -var dump_time 0.5
+variables=(-var particles 15 -var y0 0.03 -var dt 1e-5 -var settle 3.5 -var dump_time 0.5
   -var restart_time 0.05 -var vtk no)
 rest=150000 # step at which the particles lie on each other
 matrix=(--surfaces "smooth 5" --seeds "1 2")
@@ -37,7 +37,7 @@ echo "--- killed"
 setsid bash "$ELLIPSOID_SOURCE/inputs/campaign.sh" --out killed "${matrix[@]}" --jobs 2 -- \
   "${variables[@]}" >killed.out 2>&1 &
 campaign_group=$!
-for _ in $(seq 3000); do
+for _ in $(seq 12000); do
   [[ $(newest_step killed/smooth_seed1) -lt $rest ]] || break
   sleep 0.02
 done
