@@ -2,7 +2,27 @@
 #include "command.h"
 #include "frame_options.h"
 
+#include <algorithm>
 #include <exception>
+#include <string>
+
+namespace {
+
+/// The message for a first word that is no command, or nothing.
+std::string unknown_command(const CLI::App& program, int argc, char** argv) {
+  const std::string word = argc > 1 ? argv[1] : "-";
+  const auto commands = program.get_subcommands([](const CLI::App*) { return true; });
+  if (word.rfind('-', 0) == 0 ||
+      std::any_of(commands.begin(), commands.end(),
+                  [&](const CLI::App* command) { return command->check_name(word); }))
+    return "";
+  std::string known;
+  for (unsigned k = 0; k < ellipsoid::post::command_count; ++k)
+    known += (k > 0 ? ", " : "") + std::string(ellipsoid::post::command_rows[k].name);
+  return "unknown command '" + word + "'; the commands are " + known;
+}
+
+} // namespace
 
 int main(int argc, char** argv) {
   using namespace ellipsoid::post;
@@ -17,6 +37,10 @@ int main(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    if (const std::string unknown = unknown_command(program, argc, argv); !unknown.empty()) {
+      report_error(unknown);
+      return exit_bad_usage;
+    }
     return program.exit(error) == 0 ? exit_good : exit_bad_usage;
   } catch (const std::exception& error) {
     report_error(error.what());

@@ -8,6 +8,7 @@
 #define ELLIPSOID_CONTACT_LOOP_H_
 
 #include "atom.h"
+#include "batched_law.h"
 #include "comm.h"
 #include "contact_models.h"
 #include "ellipsoid_host.h"
@@ -16,12 +17,14 @@
 #include "force.h"
 #include "neigh_list.h"
 #include "neighbor.h"
+#include "particle_arrays.h"
 #include "pair_gran_ellipsoid.h"
 #include "settings.h"
 #include "update.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,10 +42,11 @@ using SearchHistory = std::vector<std::pair<std::string, bool>>;
 /// @tparam Surface the derived class. It has
 ///          - prepare(): before the first pair; returns whether the neighbour lists are new;
 ///          - begin_lists(pairs): after that, if they are;
-///          - travelled(i): how far any point of particle i has moved at most since then (length);
+///          - travelled(i): how far any point of particle i has moved at most since then (length),
+///            and travel_bound(), by which no particle's value grows less than it does;
 ///          - treat_pair(i, j, pair, travelled, flag, history), `pair` the place in the lists and
 ///            `travelled` that of both: returns a length by which the surfaces are apart at least,
-///            0 if they touch or nothing is known;
+///            0 if they touch or nothing is known; hands every contact to add_contact();
 ///          - finish(): after the last pair.
 /// @tparam Model   the host's ContactModel<...>
 template <typename Surface, typename Model>
@@ -63,13 +67,21 @@ public:
   bool contact_match(const std::string type, const std::string model) override {
     return model_.contact_match(type, model);
   }
-  void init_granular() override { model_.connectToProperties(force->registry); }
+  void init_granular() override {
+    model_.connectToProperties(force->registry);
+    if (IsPaperLaw<Model>::value)
+      tables_.connect(force->registry);
+  }
 
   void settings(int narg, char** arg, IContactHistorySetup* setup) override {
     Settings settings(lmp);
     model_.registerSettings(settings);
     const bool success = settings.parseArguments(narg, arg);
     model_.postSettings(setup);
+    in_batches_ = IsPaperLaw<Model>::value && model_.get_history_offset("creeps") == 0 &&
+                  model_.get_history_offset("ellipticalContact") <= 0;
+    no_attraction_ = model_.get_history_offset("limitForce") == 1;
+    spring_offset_ = model_.get_history_offset("spring");
     if (!success)
       error->all(FLERR, ("pair_style gran/ellipsoid: " + settings.error_message +
                          "; give settings of the chosen models, each with its value")
@@ -90,26 +102,25 @@ public:
     if (surface.prepare())
       surface.begin_lists(wake_all());
     counts_.values[ContactCounts::near_pairs] = near_pairs_;
-    const NeighList* list = pair_->list;
-    std::size_t pair = 0;
-    for (int ii = 0; ii < list->inum; ++ii) {
-      const int i = list->ilist[ii];
-      const double travelled_i = surface.travelled(i);
-      double* history = pair_->listgranhistory->firstdouble[i];
-      int* flags = pair_->listgranhistory->firstneigh[i];
-      const int* neighbours = list->firstneigh[i];
-      const int count = list->numneigh[i];
-      for (int jj = 0; jj < count; ++jj, ++pair) {
-        const int j = neighbours[jj] & NEIGHMASK;
-        const double travelled = travelled_i + surface.travelled(j);
-        if (travelled < asleep_until_[pair])
-          continue;
-        const double gap = surface.treat_pair(i, j, pair, travelled, flags[jj],
-                                              &history[history_values_ * jj]);
-        asleep_until_[pair] = gap > 0.0 ? travelled + trusted_share_of_gap * gap : 0.0;
+    wake_pairs();
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < awake_.size(); ++k) {
+      const AwakePair& pair = awake_[k];
+      prefetch(k + pairs_ahead);
+      const double travelled = surface.travelled(pair.i) + surface.travelled(pair.j);
+      const double gap = surface.treat_pair(pair.i, pair.j, pair.place, travelled, *pair.flag, pair.history);
+      if (gap > 0.0) {
+        put_to_sleep(pair, travelled, trusted_share_of_gap * gap);
+        continue;
       }
+      const bool touches = *pair.flag != 0;
+      if (kept != k)
+        awake_[kept] = pair;
+      awake_[kept++].touched = touches;
     }
+    awake_.resize(kept);
     surface.finish();
+    apply_waiting_contacts();
     end();
   }
 
@@ -119,6 +130,8 @@ protected:
   SurfacesIntersectData contact_;
   ForceData force_i_, force_j_;
   ContactCounts counts_;
+  ParticleArrays particles_;
+  bool newton_ = false;
   int history_values_ = 0; // per pair
   bool collect_ = false;   // for compute pair/gran/local
   bool reports_ = false;   // somebody wants to know of each contact
@@ -126,9 +139,28 @@ protected:
   const double* rigid_masses_ = nullptr; // of the bodies that particles belong to
 
   // Surfaces that are apart cannot touch before the two particles have travelled their gap: until
-  // then the pair sleeps. One value per pair of the neighbour lists.
-  std::vector<double> asleep_until_;
+  // then the pair sleeps. One value per pair of the neighbour lists (never: it is awake). A row of the
+  // lists needs no look before its particle's travel and the bound of all others have reached
+  // its own value.
+  static constexpr double never = std::numeric_limits<double>::infinity();
+  std::vector<double> asleep_until_, row_asleep_until_;
   double near_pairs_ = 0.0;
+
+  struct AwakePair {
+    std::size_t place; ///< in the neighbour lists
+    int row, i, j;
+    bool touched; ///< in the last step
+    int* flag;
+    double* history;
+  };
+  std::vector<AwakePair> awake_; // in the order of the lists
+  static constexpr std::size_t pairs_ahead = 16;
+  static constexpr std::ptrdiff_t doubles_per_cache_line = 8;
+
+  // What the batch of the contact law needs: see batched_law.h.
+  bool in_batches_ = false, no_attraction_ = false;
+  int spring_offset_ = 0;
+  PaperLawTables tables_;
 
   static void reserve(PairGranEllipsoid* pair, const SearchHistory& search_history) {
     for (const auto& value : search_history)
@@ -137,14 +169,14 @@ protected:
 
   /// x_j - x_i.
   ellipsoid::Vector3 centre_distance(int i, int j) const {
-    const double* x_i = atom->x[i];
-    const double* x_j = atom->x[j];
+    const double* x_i = particles_.x[i];
+    const double* x_j = particles_.x[j];
     return {x_j[0] - x_i[0], x_j[1] - x_i[1], x_j[2] - x_i[2]};
   }
 
   /// Gap between the bounding spheres, 0 if they overlap.
   double bounding_gap(int i, int j, const ellipsoid::Vector3& distance) const {
-    const double reach = atom->radius[i] + atom->radius[j], squared = dot(distance, distance);
+    const double reach = particles_.radius[i] + particles_.radius[j], squared = dot(distance, distance);
     return squared < reach * reach ? 0.0 : std::sqrt(squared) - reach;
   }
 
@@ -160,11 +192,77 @@ protected:
         near_pairs_ += share(list->firstneigh[i][jj] & NEIGHMASK);
     }
     asleep_until_.assign(pairs, 0.0);
+    row_asleep_until_.assign(static_cast<std::size_t>(list->inum), 0.0);
+    awake_.clear();
     return pairs;
   }
 
+  /// Adds to the pairs that are awake those whose time has come.
+  void wake_pairs() {
+    const Surface& surface = static_cast<const Surface&>(*this);
+    const NeighList* list = pair_->list;
+    const double bound = surface.travel_bound();
+    const auto awake_before = static_cast<std::ptrdiff_t>(awake_.size());
+    std::size_t first = 0;
+    for (int ii = 0; ii < list->inum; ++ii) {
+      const int i = list->ilist[ii];
+      if (surface.travelled(i) + bound >= row_asleep_until_[static_cast<std::size_t>(ii)])
+        wake_row(ii, i, first);
+      first += static_cast<std::size_t>(list->numneigh[i]);
+    }
+    if (awake_before < static_cast<std::ptrdiff_t>(awake_.size()))
+      std::inplace_merge(awake_.begin(), awake_.begin() + awake_before, awake_.end(),
+                         [](const AwakePair& a, const AwakePair& b) { return a.place < b.place; });
+  }
+
+  /// @param[in] first place of the row's first pair
+  void wake_row(int row, int i, std::size_t first) {
+    const Surface& surface = static_cast<const Surface&>(*this);
+    const double travelled_i = surface.travelled(i);
+    const int* neighbours = pair_->list->firstneigh[i];
+    const int count = pair_->list->numneigh[i];
+    double least = never; // that a pair which sleeps has still to travel
+    for (int jj = 0; jj < count; ++jj) {
+      const std::size_t place = first + static_cast<std::size_t>(jj);
+      const int j = neighbours[jj] & NEIGHMASK;
+      const double left = asleep_until_[place] - (travelled_i + surface.travelled(j));
+      if (left > 0.0) {
+        least = std::min(least, left);
+        continue;
+      }
+      asleep_until_[place] = never;
+      awake_.push_back({place, row, i, j, false, &pair_->listgranhistory->firstneigh[i][jj],
+                        &pair_->listgranhistory->firstdouble[i][history_values_ * jj]});
+    }
+    row_asleep_until_[static_cast<std::size_t>(row)] =
+        travelled_i + surface.travel_bound() + trusted_share_of_gap * least;
+  }
+
+  /// @param[in] gap that both particles together have to travel (length)
+  void put_to_sleep(const AwakePair& pair, double travelled, double gap) {
+    const Surface& surface = static_cast<const Surface&>(*this);
+    asleep_until_[pair.place] = travelled + gap;
+    double& of_row = row_asleep_until_[static_cast<std::size_t>(pair.row)];
+    of_row = std::min(of_row, surface.travelled(pair.i) + surface.travel_bound() + gap);
+  }
+
+  /// The histories of pairs lie apart in memory: asked for in time, they are there when needed.
+  __attribute__((always_inline)) void prefetch(std::size_t k) const {
+    if (k >= awake_.size() || !awake_[k].touched)
+      return;
+    __builtin_prefetch(awake_[k].flag, 1);
+    __builtin_prefetch(awake_[k].history, 1);
+    __builtin_prefetch(awake_[k].history + doubles_per_cache_line, 1);
+  }
+
+  void put_to_sleep(const AwakePair& pair, double until) {
+    asleep_until_[pair.place] = until;
+    double& of_row = row_asleep_until_[static_cast<std::size_t>(pair.row)];
+    of_row = std::min(of_row, until);
+  }
+
   /// Pairs with a ghost are treated by two ranks.
-  double share(int j) const { return j < atom->nlocal ? 1.0 : 0.5; }
+  double share(int j) const { return j < particles_.owned ? 1.0 : 0.5; }
 
   void begin(int eflag, int vflag, int addflag) {
     if (eflag || vflag)
@@ -172,6 +270,8 @@ protected:
     else
       pair_->evflag = pair_->vflag_fdotr = 0;
     history_values_ = pair_->dnum();
+    particles_ = ParticleArrays(*atom);
+    newton_ = force->newton_pair;
     counts_ = ContactCounts();
     collect_ = pair_->cpl() && addflag;
     reports_ = collect_ || pair_->evflag || pair_->store_sum_normal_force() ||
@@ -212,7 +312,143 @@ protected:
   }
 
   /// What all contacts of one pair have in common.
-  SurfacesIntersectData pair_record(int i, int j, const ellipsoid::Vector3& distance, int& flag) {
+  struct TouchingPair {
+    int i, j;
+    int* flag;
+    ellipsoid::Vector3 distance; ///< x_j - x_i (length)
+    double mass_i, mass_j, effective_mass;
+  };
+
+  /// One contact.
+  struct Touch {
+    ellipsoid::Vector3 normal;  ///< unit, from i to j
+    ellipsoid::Vector3 point;   ///< relative to the centre of i (length)
+    double overlap, reduced_radius;
+    double radius_i, radius_j;  ///< of the local spheres (length)
+    double* history;
+    double weight = 1.0;        ///< of its force in the sum
+    int sphere_i = -1, sphere_j = -1;
+  };
+
+  /// Of a contact in the batch, what the batch does not know.
+  struct WaitingContact {
+    int i, j;
+    int* flag;
+    double* history;
+    double weight, radius_i, radius_j;
+    int sphere_i, sphere_j;
+  };
+  ellipsoid::ContactLawBatch law_batch_;
+  WaitingContact waiting_contacts_[ellipsoid::ContactLawBatch::capacity];
+
+  TouchingPair touching_pair(int i, int j, const ellipsoid::Vector3& distance, int& flag) const {
+    TouchingPair pair{i, j, &flag, distance, particles_.mass[i], particles_.mass[j], 0.0};
+    if (rigid_masses_) {
+      if (rigid_masses_[i] > 0.0)
+        pair.mass_i = rigid_masses_[i];
+      if (rigid_masses_[j] > 0.0)
+        pair.mass_j = rigid_masses_[j];
+    }
+    pair.effective_mass = pair.mass_i * pair.mass_j / (pair.mass_i + pair.mass_j);
+    if (particles_.mask[i] & frozen_group_)
+      pair.effective_mass = pair.mass_j;
+    if (particles_.mask[j] & frozen_group_)
+      pair.effective_mass = pair.mass_i;
+    return pair;
+  }
+
+  __attribute__((always_inline)) void add_contact(const TouchingPair& pair, const Touch& touch) {
+    if (!in_batches_) {
+      apply_alone(pair, touch);
+      return;
+    }
+    using ellipsoid_host::vector;
+    const int i = pair.i, j = pair.j;
+    *pair.flag |= CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
+    waiting_contacts_[law_batch_.size()] = {i, j, pair.flag, touch.history, touch.weight,
+                                            touch.radius_i, touch.radius_j, touch.sphere_i,
+                                            touch.sphere_j};
+    law_batch_.add({-touch.normal, touch.point, touch.point - pair.distance,
+                    std::max(0.0, touch.overlap), touch.reduced_radius},
+                   {vector(particles_.v[i]) - vector(particles_.v[j]), vector(particles_.omega[i]),
+                    vector(particles_.omega[j])},
+                   tables_.parameters(particles_.type[i], particles_.type[j],
+                                      pair.effective_mass),
+                   vector(&touch.history[spring_offset_]));
+    if (law_batch_.full())
+      apply_waiting_contacts();
+  }
+
+  /// By the host's contact models.
+  __attribute__((noinline)) void apply_alone(const TouchingPair& pair, const Touch& touch) {
+    SurfacesIntersectData c = record(pair, touch);
+    pair_->set_spheres(touch.sphere_i, touch.sphere_j, touch.weight);
+    apply_contact(c, touch.weight);
+  }
+
+  /// In the order in which they came.
+  __attribute__((noinline)) void apply_waiting_contacts() {
+    const bool advances_springs = contact_.computeflag && contact_.shearupdate;
+    law_batch_.solve({update->dt, advances_springs, no_attraction_});
+    for (int k = 0; k < law_batch_.size(); ++k) {
+      const WaitingContact& waiting = waiting_contacts_[k];
+      if (advances_springs)
+        ellipsoid_host::store(law_batch_.spring(k), &waiting.history[spring_offset_]);
+      const ellipsoid::ContactAction action = law_batch_.action(k);
+      if (contact_.computeflag)
+        add_action(waiting, action);
+      if (reports_ || pair_->keeps_records())
+        report_action(waiting, law_batch_.place(k), action);
+    }
+    law_batch_.clear();
+  }
+
+  bool owns(int j) const { return newton_ || j < particles_.owned; }
+
+  void add_action(const WaitingContact& contact, const ellipsoid::ContactAction& action) {
+    const auto add = [this](int k, const ellipsoid::Vector3& f, const ellipsoid::Vector3& t) {
+      double *to = particles_.f[k], *torque = particles_.torque[k];
+      to[0] += f.x;
+      to[1] += f.y;
+      to[2] += f.z;
+      torque[0] += t.x;
+      torque[1] += t.y;
+      torque[2] += t.z;
+    };
+    const double share_i = contact.weight * pair_->relax(contact.i);
+    add(contact.i, share_i * action.force, share_i * action.torque_i);
+    if (!owns(contact.j))
+      return;
+    const double share_j = contact.weight * pair_->relax(contact.j);
+    add(contact.j, -share_j * action.force, share_j * action.torque_j);
+  }
+
+  __attribute__((noinline)) void report_action(const WaitingContact& contact,
+                                               const ellipsoid::ContactPlace& place,
+                                               const ellipsoid::ContactAction& action) {
+    const Touch touch{-place.normal, place.lever_i, place.overlap, place.reduced_radius,
+                      contact.radius_i, contact.radius_j, contact.history, contact.weight,
+                      contact.sphere_i, contact.sphere_j};
+    const SurfacesIntersectData c =
+        record(touching_pair(contact.i, contact.j, centre_distance(contact.i, contact.j),
+                             *contact.flag),
+               touch);
+    ForceData force_i, force_j;
+    ellipsoid_host::store(touch.weight * action.force, force_i.delta_F);
+    ellipsoid_host::store(-touch.weight * action.force, force_j.delta_F);
+    ellipsoid_host::store(touch.weight * action.torque_i, force_i.delta_torque);
+    ellipsoid_host::store(touch.weight * action.torque_j, force_j.delta_torque);
+    if (c.computeflag && pair_->keeps_records()) {
+      pair_->set_spheres(touch.sphere_i, touch.sphere_j, touch.weight);
+      pair_->add_record(c, action.force, *atom, nullptr);
+    }
+    if (reports_)
+      report_contact(c, force_i, force_j, owns(c.j));
+  }
+
+  /// As the host's contact models want it.
+  SurfacesIntersectData record(const TouchingPair& pair, const Touch& touch) const {
+    const int i = pair.i, j = pair.j;
     SurfacesIntersectData c;
     c.is_non_spherical = true;
     c.computeflag = contact_.computeflag;
@@ -221,54 +457,32 @@ protected:
     c.j = j;
     c.itype = atom->type[i];
     c.jtype = atom->type[j];
-    ellipsoid_host::store(-distance, c.delta);
-    c.rsq = dot(distance, distance);
+    ellipsoid_host::store(-pair.distance, c.delta);
+    c.rsq = dot(pair.distance, pair.distance);
     c.r = std::sqrt(c.rsq);
     c.rinv = 1.0 / c.r;
     c.v_i = atom->v[i];
     c.v_j = atom->v[j];
     c.omega_i = atom->omega[i];
     c.omega_j = atom->omega[j];
-    c.contact_flags = &flag;
-    set_masses(c);
+    c.contact_flags = pair.flag;
+    c.mi = pair.mass_i;
+    c.mj = pair.mass_j;
+    c.meff = pair.effective_mass;
+    ellipsoid_host::store(-touch.normal, c.en);
+    ellipsoid_host::store(ellipsoid_host::vector(atom->x[i]) + touch.point, c.contact_point);
+    c.deltan = std::max(0.0, touch.overlap);
+    c.reff = touch.reduced_radius;
+    c.radi = pair_->curvature_radius_i = touch.radius_i;
+    c.radj = pair_->curvature_radius_j = touch.radius_j;
+    c.radsum = touch.radius_i + touch.radius_j;
+    c.contact_history = touch.history;
     return c;
-  }
-
-  /// @param[in] normal  unit, from i to j
-  /// @param[in] point   relative to the centre of i (length)
-  /// @param[in] radius_i, radius_j of the local spheres (length)
-  void fill_contact(SurfacesIntersectData& c, const ellipsoid::Vector3& normal,
-                    const ellipsoid::Vector3& point, double overlap, double reduced_radius,
-                    double radius_i, double radius_j, double* history) {
-    ellipsoid_host::store(-normal, c.en);
-    ellipsoid_host::store(ellipsoid_host::vector(atom->x[c.i]) + point, c.contact_point);
-    c.deltan = std::max(0.0, overlap);
-    c.reff = reduced_radius;
-    c.radi = pair_->curvature_radius_i = radius_i;
-    c.radj = pair_->curvature_radius_j = radius_j;
-    c.radsum = radius_i + radius_j;
-    c.contact_history = history;
-  }
-
-  void set_masses(SurfacesIntersectData& c) {
-    c.mi = atom->rmass[c.i];
-    c.mj = atom->rmass[c.j];
-    if (rigid_masses_) {
-      if (rigid_masses_[c.i] > 0.0)
-        c.mi = rigid_masses_[c.i];
-      if (rigid_masses_[c.j] > 0.0)
-        c.mj = rigid_masses_[c.j];
-    }
-    c.meff = c.mi * c.mj / (c.mi + c.mj);
-    if (atom->mask[c.i] & frozen_group_)
-      c.meff = c.mj;
-    if (atom->mask[c.j] & frozen_group_)
-      c.meff = c.mi;
   }
 
   /// Contact models and sums of forces, all inlined: the record then lives in registers.
   /// @param[in] weight of its force in the sum
-  __attribute__((flatten)) void apply_contact(SurfacesIntersectData& c, double weight = 1.0) {
+  __attribute__((flatten)) void apply_contact(SurfacesIntersectData& c, double weight) {
     ForceData force_i, force_j;
     model_.surfacesIntersect(c, force_i, force_j);
     model_.endSurfacesIntersect(c, nullptr, force_i, force_j);
@@ -277,7 +491,7 @@ protected:
       scale(force_j, weight);
     }
     contact_.has_force_update = true;
-    const bool owns_j = force->newton_pair || c.j < atom->nlocal;
+    const bool owns_j = owns(c.j);
     if (c.computeflag) {
       add_force(c.i, force_i);
       if (owns_j)

@@ -8,6 +8,7 @@
 #include "force.h"
 #include "gear_predictor_corrector.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "rigid_body.h"
 #include "update.h"
 
@@ -18,6 +19,7 @@
 #include <vector>
 
 using namespace LAMMPS_NS;
+using LIGGGHTS::ParticleArrays;
 using ellipsoid_host::quaternion;
 using ellipsoid_host::store;
 using ellipsoid_host::vector;
@@ -99,6 +101,7 @@ template <class Action> void FixNVEEllipsoid::for_each_atom(Action action) const
 }
 
 void FixNVEEllipsoid::setup(int) {
+  particles_ = ParticleArrays(*atom);
   if (gear_)
     for_each_atom([this](int i) {
       if (translation_->array_atom[i][0] == 0.0)
@@ -112,12 +115,12 @@ void FixNVEEllipsoid::reset_dt() {
 }
 
 /// Half a time step of force and torque.
-void FixNVEEllipsoid::kick(int i) const {
-  const double* f = atom->f[i];
-  const double* torque = atom->torque[i];
-  double* v = atom->v[i];
-  double* momentum = atom->angmom[i];
-  const double scale = dtf / atom->rmass[i];
+inline void FixNVEEllipsoid::kick(int i) const {
+  const double* f = particles_.f[i];
+  const double* torque = particles_.torque[i];
+  double* v = particles_.v[i];
+  double* momentum = particles_.angmom[i];
+  const double scale = dtf / particles_.mass[i];
   for (int k = 0; k < 3; ++k) {
     v[k] += scale * f[k];
     momentum[k] += dtf * torque[k];
@@ -125,17 +128,17 @@ void FixNVEEllipsoid::kick(int i) const {
 }
 
 /// Takes out what rounding (or a force out of the plane) has put in.
-void FixNVEEllipsoid::keep_in_plane(int i) const {
-  atom->f[i][2] = atom->v[i][2] = 0.0;
+inline void FixNVEEllipsoid::keep_in_plane(int i) const {
+  particles_.f[i][2] = particles_.v[i][2] = 0.0;
   for (int k = 0; k < 2; ++k)
-    atom->torque[i][k] = atom->angmom[i][k] = atom->omega[i][k] = 0.0;
+    particles_.torque[i][k] = particles_.angmom[i][k] = particles_.omega[i][k] = 0.0;
 }
 
 /// Particles turn together with others: as soon as the batch is full, at the latest in
 /// turn_waiting().
 void FixNVEEllipsoid::turn(int i) {
   turning_[turns_.size()] = i;
-  turns_.add(quaternion(atom->quaternion[i]), vector(atom->angmom[i]), vector(atom->inertia[i]));
+  turns_.add(quaternion(particles_.quaternion[i]), vector(particles_.angmom[i]), vector(particles_.inertia[i]));
   if (turns_.full())
     turn_waiting();
 }
@@ -143,15 +146,14 @@ void FixNVEEllipsoid::turn(int i) {
 void FixNVEEllipsoid::turn_waiting() {
   turns_.solve(dtv);
   for (int k = 0; k < turns_.size(); ++k) {
-    store(turns_.orientation(k), atom->quaternion[turning_[k]]);
-    store(turns_.omega(k), atom->omega[turning_[k]]);
+    store(turns_.orientation(k), particles_.quaternion[turning_[k]]);
+    store(turns_.omega(k), particles_.omega[turning_[k]]);
   }
   turns_.clear();
 }
 
-double FixNVEEllipsoid::inertia_about_z(int i) const {
-  const ellipsoid::PlanarInertia inertia =
-      planar_inertia(quaternion(atom->quaternion[i]), vector(atom->inertia[i]));
+/// The moment of inertia about z; stops if z is no principal axis.
+double FixNVEEllipsoid::checked_inertia(int i, const ellipsoid::PlanarInertia& inertia) const {
   if (inertia.misaligned > largest_misalignment)
     error->one(FLERR, ("Fix nve/ellipsoid (id " + std::string(id) + "): planar yes, but atom " +
                        std::to_string(atom->tag[i]) +
@@ -161,10 +163,47 @@ double FixNVEEllipsoid::inertia_about_z(int i) const {
   return inertia.about_z;
 }
 
-void FixNVEEllipsoid::turn_in_plane(int i) const {
-  const double rate = atom->angmom[i][2] / inertia_about_z(i);
-  store(rotate_about_z(quaternion(atom->quaternion[i]), dtv * rate), atom->quaternion[i]);
-  atom->omega[i][2] = rate;
+double FixNVEEllipsoid::inertia_about_z(int i) const {
+  return checked_inertia(
+      i, planar_inertia(quaternion(atom->quaternion[i]), vector(atom->inertia[i])));
+}
+
+void FixNVEEllipsoid::turn_in_plane(int i) {
+  turning_[turns_in_plane_.size()] = i;
+  turns_in_plane_.add(quaternion(particles_.quaternion[i]), particles_.angmom[i][2],
+                      vector(particles_.inertia[i]));
+  if (turns_in_plane_.full())
+    turn_waiting_in_plane();
+}
+
+void FixNVEEllipsoid::turn_waiting_in_plane() {
+  turns_in_plane_.solve(dtv);
+  for (int k = 0; k < turns_in_plane_.size(); ++k) {
+    const int i = turning_[k];
+    inertia_about_z_[static_cast<std::size_t>(i)] =
+        checked_inertia(i, turns_in_plane_.inertia(k));
+    store(turns_in_plane_.orientation(k), particles_.quaternion[i]);
+    particles_.omega[i][2] = turns_in_plane_.rate(k);
+  }
+  turns_in_plane_.clear();
+}
+
+/// The angular velocity of the angular momentum at the end of the step. In the plane the moment of
+/// inertia is known from the turn, but atoms have other indices when lists are new: then it is
+/// computed again, with the same result.
+void FixNVEEllipsoid::update_spin(int i) const {
+  if (!planar_) {
+    store(angular_velocity(vector(particles_.angmom[i]), vector(particles_.inertia[i]),
+                           quaternion(particles_.quaternion[i])),
+          particles_.omega[i]);
+    return;
+  }
+  const bool known = neighbor->ago > 0 && static_cast<std::size_t>(i) < inertia_about_z_.size();
+  const double inertia = known ? inertia_about_z_[static_cast<std::size_t>(i)]
+                               : planar_inertia(quaternion(particles_.quaternion[i]),
+                                                vector(particles_.inertia[i]))
+                                     .about_z;
+  particles_.omega[i][2] = particles_.angmom[i][2] / inertia;
 }
 
 /// Derivatives of a particle that has none: of constant force, and of a torque that is constant in
@@ -267,8 +306,12 @@ void FixNVEEllipsoid::store_spin(int i, const ellipsoid::Vector3& omega) const {
         atom->angmom[i]);
 }
 
-void FixNVEEllipsoid::initial_integrate(int) {
+/// Everything that is done per particle is inlined.
+__attribute__((flatten)) void FixNVEEllipsoid::initial_integrate(int) {
   const ellipsoid::Gear gear(dtv);
+  particles_ = ParticleArrays(*atom);
+  if (planar_)
+    inertia_about_z_.resize(static_cast<std::size_t>(atom->nlocal));
   for_each_atom([&](int i) {
     if (gear_) {
       predict(i, gear);
@@ -278,33 +321,29 @@ void FixNVEEllipsoid::initial_integrate(int) {
     if (planar_)
       keep_in_plane(i);
     for (int k = 0; k < 3; ++k)
-      atom->x[i][k] += dtv * atom->v[i][k];
+      particles_.x[i][k] += dtv * particles_.v[i][k];
     if (planar_)
       turn_in_plane(i);
     else
       turn(i);
   });
   turn_waiting();
+  turn_waiting_in_plane();
 }
 
-void FixNVEEllipsoid::final_integrate() {
+/// Everything that is done per particle is inlined.
+__attribute__((flatten)) void FixNVEEllipsoid::final_integrate() {
   const ellipsoid::Gear gear(dtv);
+  particles_ = ParticleArrays(*atom);
   for_each_atom([&](int i) {
     if (gear_) {
       correct(i, gear);
       return;
     }
     kick(i);
-    if (planar_) {
+    if (planar_)
       keep_in_plane(i);
-      const auto inertia =
-          planar_inertia(quaternion(atom->quaternion[i]), vector(atom->inertia[i]));
-      atom->omega[i][2] = atom->angmom[i][2] / inertia.about_z;
-    } else {
-      store(angular_velocity(vector(atom->angmom[i]), vector(atom->inertia[i]),
-                             quaternion(atom->quaternion[i])),
-            atom->omega[i]);
-    }
+    update_spin(i);
   });
 }
 

@@ -8,7 +8,10 @@ FixStyle(nve/ellipsoid,FixNVEEllipsoid)
 #define LMP_FIX_NVE_ELLIPSOID_H
 
 #include "fix_nve.h"
+#include "particle_arrays.h"
 #include "rotation_batch.h"
+
+#include <vector>
 
 namespace ellipsoid {
 class Gear;
@@ -36,8 +39,11 @@ public:
 
 private:
   bool planar_ = false; // motion in the xy plane only
+  LIGGGHTS::ParticleArrays particles_; // of the half step in work
   ellipsoid::RotationBatch turns_;
+  ellipsoid::PlanarRotationBatch turns_in_plane_;
   int turning_[ellipsoid::RotationBatch::capacity]; // particles of the batch
+  std::vector<double> inertia_about_z_;              // after the last turn in the plane
   bool gear_ = false;
   // of `integrator gear`, per atom: started (1) or not (0), then second to fifth derivative of x,
   // y, z
@@ -52,7 +58,10 @@ private:
   void keep_in_plane(int i) const;
   void turn(int i);
   void turn_waiting();
-  void turn_in_plane(int i) const;
+  void turn_in_plane(int i);
+  void turn_waiting_in_plane();
+  void update_spin(int i) const;
+  double checked_inertia(int i, const ellipsoid::PlanarInertia& inertia) const;
   double inertia_about_z(int i) const;
   void start(int i) const;
   void predict(int i, const ellipsoid::Gear& gear) const;

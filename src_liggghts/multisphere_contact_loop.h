@@ -60,6 +60,7 @@ private:
   bool prepare() { return particles_.update(); }
   void begin_lists(std::size_t pairs) { watch_.restart(pairs); }
   double travelled(int i) const { return particles_.travelled(i); }
+  double travel_bound() const { return particles_.travel_bound(); }
   void finish() {}
 
   double treat_pair(int i, int j, std::size_t pair, double travelled, int& flag, double* history) {
@@ -114,15 +115,13 @@ private:
     counts_.values[ContactCounts::touching_pairs] += this->share(j);
     counts_.values[ContactCounts::contacts] += this->share(j) * contacts;
     flag = CONTACT_SURFACE_MODEL;
-    const SurfacesIntersectData pair = this->pair_record(i, j, distance, flag);
+    const typename Base::TouchingPair pair = this->touching_pair(i, j, distance, flag);
     const double weight = multicontact_weight(rule_, static_cast<int>(found_.size()));
     for (std::size_t k = 0; k < found_.size(); ++k) {
       const ellipsoid::SphereContact& c = found_[k];
-      SurfacesIntersectData record = pair;
-      this->fill_contact(record, c.normal, c.point, c.overlap, c.reduced_radius, c.radius_i,
-                         c.radius_j, &history[slot_values_ * touching_[k]->slot]);
-      pair_->set_spheres(c.sphere_i, c.sphere_j, weight);
-      this->apply_contact(record, weight);
+      this->add_contact(pair, {c.normal, c.point, c.overlap, c.reduced_radius, c.radius_i,
+                               c.radius_j, &history[slot_values_ * touching_[k]->slot], weight,
+                               c.sphere_i, c.sphere_j});
     }
   }
 

@@ -39,6 +39,8 @@ public:
   const ellipsoid::ChainPose& pose(int i) const { return poses_[static_cast<std::size_t>(i)]; }
   /// How far any point of a particle has moved at most since the neighbour lists are there (length).
   double travelled(int i) const { return travelled_[static_cast<std::size_t>(i)]; }
+  /// Grows in every step by the largest growth of these (length).
+  double travel_bound() const { return travel_bound_; }
   /// For make_pose() without update(): to be called once per time step.
   void find_properties();
   /// Pose of one owned particle.
@@ -50,6 +52,7 @@ private:
   std::vector<ellipsoid::ChainPose> poses_;
   std::vector<ellipsoid::Vector3> centres_; // at the last update
   std::vector<double> travelled_;
+  double travel_bound_ = 0.0;
   LAMMPS_NS::FixPropertyAtom* subspheres_ = nullptr;
   LAMMPS_NS::FixPropertyAtom* spacing_ = nullptr;
 

@@ -28,7 +28,10 @@ public:
     settings.registerOnOff("limitForce", limit_force_, false);
   }
 
-  void postSettings(IContactHistorySetup*, ContactModelBase*) {}
+  /// Named integers are the only way that the host's classes offer to ask for a setting.
+  void postSettings(IContactHistorySetup*, ContactModelBase* cmb) {
+    cmb->add_history_offset("limitForce", limit_force_);
+  }
 
   void connectToProperties(PropertyRegistry& registry) {
     registry.registerProperty("Yeff", &MODEL_PARAMS::createYeff, "model hertz/viscous");

@@ -10,6 +10,7 @@
 #include "force.h"
 #include "multisphere_contact_loop.h"
 #include "neighbor.h"
+#include "particle_check.h"
 #include "smooth_contact_loop.h"
 
 #include <map>
@@ -125,6 +126,7 @@ void PairGranEllipsoid::init_style() {
     error->all(FLERR, "pair_style gran/ellipsoid: with 'neighbor ... multi' the host makes no lists for "
                       "granular pair styles; use 'bin' or 'nsq'");
   check_pages();
+  ellipsoid_host::check_particles(lmp, "pair_style gran/ellipsoid");
   PairGran::init_style();
   if (store_multicontact_data_)
     error->all(FLERR, "pair_style gran/ellipsoid does not work with fix multicontact/halfspace; "
@@ -151,16 +153,6 @@ void PairGranEllipsoid::read_restart_settings(FILE* file, const int, const int) 
     error->one(FLERR, "The restart file ends within pair_style gran/ellipsoid; use a whole file");
   MPI_Bcast(&variant, sizeof(variant), MPI_CHAR, 0, world);
   create(variant);
-}
-
-const std::vector<ellipsoid::EllipsoidShape>& PairGranEllipsoid::update_shapes() {
-  const int count = atom->nlocal + atom->nghost;
-  shapes_.resize(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i)
-    shapes_[static_cast<std::size_t>(i)] =
-        ellipsoid::make_shape(ellipsoid_host::vector(atom->shape[i]),
-                              ellipsoid_host::quaternion(atom->quaternion[i]));
-  return shapes_;
 }
 
 void PairGranEllipsoid::publish(const ContactCounts& counts) {

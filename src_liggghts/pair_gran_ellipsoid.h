@@ -7,13 +7,10 @@ PairStyle(gran/ellipsoid,PairGranEllipsoid)
 #ifndef LMP_PAIR_GRAN_ELLIPSOID_H
 #define LMP_PAIR_GRAN_ELLIPSOID_H
 
-#include "ellipsoid_contact.h"
 #include "ellipsoid_contact_caller.h"
 #include "granular_pair_style.h"
 #include "pair_gran.h"
 #include "update.h"
-
-#include <vector>
 
 namespace LAMMPS_NS {
 
@@ -40,8 +37,6 @@ public:
   }
   int64_t hashcode() override { return impl_->hashcode(); }
 
-  /// A = R diag(a^2, b^2, c^2) R^T of all owned and ghost particles, fresh in every step.
-  const std::vector<ellipsoid::EllipsoidShape>& update_shapes();
   /// Owned pairs count once, pairs with a ghost half on each rank.
   void publish(const ContactCounts& counts);
   const ContactCounts& counts() const { return counts_; }
@@ -57,7 +52,6 @@ protected:
 
 private:
   LIGGGHTS::PairStyles::IGranularPairStyle* impl_ = nullptr;
-  std::vector<ellipsoid::EllipsoidShape> shapes_;
   ContactCounts counts_;
   bool warned_ = false;
 

@@ -9,6 +9,7 @@
 
 #include "contact_batch.h"
 #include "ellipsoid_contact_loop.h"
+#include "ellipsoid_shapes.h"
 #include "surface_paths.h"
 
 namespace LIGGGHTS {
@@ -19,7 +20,6 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
   friend Base;
   using Base::contact_;
   using Base::counts_;
-  using Base::pair_;
 
 public:
   SmoothContactLoop(LAMMPS* lmp, PairGranEllipsoid* pair, int64_t hash)
@@ -29,20 +29,19 @@ public:
 private:
   enum { normal_x, normal_y, normal_z, was_touching }; // offsets in the history
 
-  const std::vector<ellipsoid::EllipsoidShape>* shapes_ = nullptr;
-
+  EllipsoidShapes shapes_;
   SurfacePaths paths_;
 
   bool prepare() {
-    shapes_ = &pair_->update_shapes();
-    return paths_.update(*this->atom, this->neighbor->ago == 0);
+    const bool new_lists = paths_.update(*this->atom, this->neighbor->ago == 0);
+    shapes_.begin_step(*this->atom);
+    return new_lists;
   }
   void begin_lists(std::size_t) {}
   double travelled(int i) const { return paths_[i]; }
+  double travel_bound() const { return paths_.bound(); }
 
-  const ellipsoid::EllipsoidShape& shape(int i) const {
-    return (*shapes_)[static_cast<std::size_t>(i)];
-  }
+  const ellipsoid::EllipsoidShape& shape(int i) { return shapes_[i]; }
 
   /// A touching pair starts from its last normal, together with others. All others start from
   /// scratch once a remembered separating normal fails: what a new contact is does not depend on
@@ -75,7 +74,7 @@ private:
   }
 
   /// The waiting pairs, in the order in which they came.
-  void finish() {
+  __attribute__((noinline, flatten)) void finish() {
     batch_.solve();
     for (int k = 0; k < batch_.size(); ++k)
       treat_result(waiting_[k], batch_.geometry(k));
@@ -128,13 +127,12 @@ private:
     // local spheres with the Gaussian radii of curvature, scaled so that their R is that of (19)
     const double r_i = geometry.curvature_radius_i, r_j = geometry.curvature_radius_j;
     const double scale = geometry.reduced_radius * (r_i + r_j) / (r_i * r_j);
-    SurfacesIntersectData c = this->pair_record(pair.i, pair.j, pair.distance, *pair.flag);
-    this->fill_contact(c, geometry.normal, geometry.point, geometry.overlap, geometry.reduced_radius,
-                       scale * r_i, scale * r_j, pair.history);
     if (contact_.computeflag)
       pair.history[was_touching] = 1.0;
     *pair.flag |= CONTACT_SURFACE_MODEL;
-    this->apply_contact(c);
+    typename Base::Touch touch{geometry.normal, geometry.point, geometry.overlap,
+                               geometry.reduced_radius, scale * r_i, scale * r_j, pair.history};
+    this->add_contact(this->touching_pair(pair.i, pair.j, pair.distance, *pair.flag), touch);
   }
 };
 

@@ -32,9 +32,11 @@ public:
     settings.registerSetting<ContactsSetting>("contacts", contacts_, ContactsSetting::standard);
   }
 
-  /// The only way that the host's classes offer: a named integer. Walls of triangles ask for it.
+  /// The only way that the host's classes offer: named integers. Walls of triangles and the pair loop
+  /// ask for them.
   inline void postSettings(IContactHistorySetup*, ContactModelBase* cmb) {
     cmb->add_history_offset("contacts", contacts_);
+    cmb->add_history_offset("ellipticalContact", elliptical_);
   }
 
   inline void surfacesIntersect(SurfacesIntersectData& sidata, ForceData& i_forces,

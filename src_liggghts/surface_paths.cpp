@@ -2,7 +2,9 @@
 #include "surface_paths.h"
 
 #include "atom.h"
+#include "particle_arrays.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace LIGGGHTS;
@@ -23,10 +25,13 @@ bool SurfacePaths::update(const LAMMPS_NS::Atom& atom, bool new_lists) {
   if (restart) {
     poses_.resize(count);
     paths_.assign(count, 0.0);
+    bound_ = 0.0;
   }
+  const ParticleArrays particles(atom);
+  double largest_growth = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     Pose& pose = poses_[i];
-    const double *x = atom.x[i], *q = atom.quaternion[i];
+    const double *x = particles.x[static_cast<int>(i)], *q = particles.quaternion[static_cast<int>(i)];
     double way = 0.0, turn = 0.0;
     for (int k = 0; k < 3; ++k) {
       const double change = x[k] - pose.x[k];
@@ -38,8 +43,12 @@ bool SurfacePaths::update(const LAMMPS_NS::Atom& atom, bool new_lists) {
       turn += change * change;
       pose.quaternion[k] = q[k];
     }
-    if (!restart)
-      paths_[i] += std::sqrt(way) + atom.radius[i] * largest_angle(std::sqrt(turn));
+    if (restart)
+      continue;
+    const double growth = std::sqrt(way) + particles.radius[i] * largest_angle(std::sqrt(turn));
+    paths_[i] += growth;
+    largest_growth = std::max(largest_growth, growth);
   }
+  bound_ += largest_growth;
   return restart;
 }

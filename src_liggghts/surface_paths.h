@@ -22,6 +22,8 @@ public:
   bool update(const LAMMPS_NS::Atom& atom, bool new_lists);
   /// Path (length).
   double operator[](int i) const { return paths_[static_cast<std::size_t>(i)]; }
+  /// Grows in every step by the largest growth of all paths (length).
+  double bound() const { return bound_; }
 
 private:
   struct Pose {
@@ -29,6 +31,7 @@ private:
   };
   std::vector<Pose> poses_; // at the last call
   std::vector<double> paths_;
+  double bound_ = 0.0;
 };
 
 } // namespace LIGGGHTS

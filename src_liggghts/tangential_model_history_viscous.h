@@ -54,7 +54,11 @@ public:
                                                    ellipsoid::SlipDirection::displacement);
   }
 
-  void postSettings(IContactHistorySetup*, ContactModelBase*) {}
+  /// Named integers are the only way that the host's classes offer to ask for a setting.
+  void postSettings(IContactHistorySetup*, ContactModelBase* cmb) {
+    cmb->add_history_offset("spring", spring_offset_);
+    cmb->add_history_offset("creeps", direction_ == ellipsoid::SlipDirection::velocity);
+  }
 
   void connectToProperties(PropertyRegistry& registry) {
     registry.registerProperty("coeffFrict", &MODEL_PARAMS::createCoeffFrict);

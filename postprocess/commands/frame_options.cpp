@@ -59,15 +59,32 @@ class FrameChooser {
       hand_over(m_last);
     collect_all();
     if (m_chosen == 0 && m_code == exit_good) {
-      report_error(fmt::format("{}: no frame {}", m_run,
-                               m_options.frames == "all" ? "in it" : m_options.frames));
+      report_error(no_frame());
       m_code = exit_bad_data;
     }
     return m_code;
   }
 
  private:
+  /// Why nothing was chosen although nothing is broken.
+  std::string no_frame() const {
+    if (m_seen == 0)
+      return fmt::format("{}: expected at least one frame, found none: the file is empty", m_run);
+    return fmt::format("{}: expected a frame of time step {}, found {}: {}", m_run,
+                       m_options.frames,
+                       m_seen == 1 ? "one frame" : fmt::format("{} frames", m_seen),
+                       m_first_step == m_last_step
+                           ? fmt::format("time step {}", m_first_step)
+                           : fmt::format("time steps {} to {}", m_first_step, m_last_step));
+  }
+
   void take() {
+    if (m_seen == 0 && !m_frame.units.empty() && m_frame.units != "si")
+      report_warning(fmt::format("{}: the file is in units '{}'; tables and pictures name those of "
+                                 "'si', the numbers are the file's",
+                                 m_run, m_frame.units));
+    m_first_step = m_seen++ == 0 ? m_frame.timestep : m_first_step;
+    m_last_step = m_frame.timestep;
     if (m_options.frames == "last") {
       std::swap(m_frame, m_last);
       m_has_last = true;
@@ -142,12 +159,26 @@ class FrameChooser {
   const std::function<Collect(const ChosenFrame&)>& m_measure;
   Frame m_frame, m_last;
   bool m_has_last = false, m_is_done = false;
-  std::size_t m_chosen = 0, m_rows_waiting = 0;
+  std::size_t m_chosen = 0, m_rows_waiting = 0, m_seen = 0; ///< frames, rows, frames
+  std::int64_t m_first_step = 0, m_last_step = 0;           ///< of the frames that were seen
   std::deque<Waiting> m_waiting; ///< frames that are being measured, oldest first
   int m_code = exit_good;
 };
 
 } // namespace
+
+CLI::Validator check_by(std::function<void(const std::string&)> parse) {
+  return CLI::Validator(
+      [parse = std::move(parse)](const std::string& word) -> std::string {
+        try {
+          parse(word);
+        } catch (const std::exception& error) {
+          return error.what();
+        }
+        return "";
+      },
+      "");
+}
 
 void add_output_options(CLI::App& command, FrameOptions& options) {
   command.add_option("--csv", options.csv,
@@ -183,14 +214,9 @@ void add_frame_options(CLI::App& command, FrameOptions& options) {
       .add_option("--spacing", options.spacing_word,
                   "spacing of these sub-spheres: paper, minimax_outline, minimax_area")
       ->capture_default_str()
-      ->check([&options](const std::string& word) -> std::string {
-        try {
-          options.particles.spacing = sphere_spacing_from_word(word);
-        } catch (const std::invalid_argument& error) {
-          return error.what();
-        }
-        return "";
-      });
+      ->check(check_by([&options](const std::string& word) {
+        options.particles.spacing = sphere_spacing_from_word(word);
+      }));
   command
       .add_option("--size-scale", options.particles.sphere_size_scale,
                   "factor on all sizes of the file (0.5 where it holds diameters)")

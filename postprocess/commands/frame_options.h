@@ -26,6 +26,9 @@ struct FrameOptions {
   unsigned threads = 0;  ///< frames measured at the same time; 0: as many as there are processors
 };
 
+/// A check of an option's value by a function that throws for what it refuses.
+CLI::Validator check_by(std::function<void(const std::string&)> parse);
+
 void add_frame_options(CLI::App& command, FrameOptions& options);
 /// Only --csv, --json and --quiet.
 void add_output_options(CLI::App& command, FrameOptions& options);

@@ -6,10 +6,16 @@
 
 namespace ellipsoid::post {
 
+/// Refuses names of pictures that end neither in .svg nor in .png.
+CLI::Validator picture_name_check();
+
+/// Words above a picture that has no other title.
+std::string frame_title(const ChosenFrame& chosen);
+
 /// Writes the picture of one frame; `path` may hold an asterisk, which becomes the time step.
 /// Throws InputError.
 void write_pile_picture(const std::string& path, const ChosenFrame& chosen, const Pile& pile,
-                        const PileOptions& pile_options, const std::optional<ReposeAngle>& angle,
+                        const PileOptions& pile_options, const std::vector<ReposeAngle>& flanks,
                         const PilePictureOptions& options);
 
 } // namespace ellipsoid::post

@@ -23,7 +23,10 @@ const char* const repose_definition =
     "0.2 by default: about four particle lengths at top and bottom of the paper's pile of 1000; "
     "60 % of the slope remain.\n"
     "Standard error: s / sqrt(S_xx) sqrt(n / m) / (1 + slope^2), s^2 = sum of squared residuals / "
-    "(n - 2), n columns, m = length of A-B over 2a: columns on one particle are not independent.";
+    "(n - 2), n columns, m = length of A-B over 2a: columns on one particle are not independent.\n"
+    "Without a wall (--no-wall) both flanks are fitted; the angle is the mean of both, its "
+    "standard "
+    "error sqrt(left^2 + right^2) / 2.";
 
 const char* const porosity_definition =
     "Porosity (paper, section 4.2.2): 1 - solid / total. total: area between floor, wall and "
@@ -31,7 +34,8 @@ const char* const porosity_definition =
     "each point counted once (overlaps, lenses of about 1e-5 of the area, are subtracted), exact "
     "by Green's theorem. 'by sum' adds the areas pi a b (2) or of the cut-off spheres (9) one by "
     "one as the paper does. --outline ellipse gives 'MS ellipse' of the paper.\n"
-    "Regions: whole (the pile's whole extent), middle (between the abscissas of A and B), core (at "
+    "Regions: whole (the pile's whole extent), middle (between the abscissas of A and B, without a "
+    "wall between both B), core (at "
     "least --margin away from wall, floor and the line A-B, without the free surface itself).";
 
 const char* const coordination_definition =
@@ -88,32 +92,39 @@ CoordinationOptions coordination_settings(const PileCommandOptions& options,
 
 PileResult analyse_pile(const PileCommandOptions& options, const ChosenFrame& chosen) {
   const PileOptions settings = plane_settings(options.plane);
-  PileResult result{settings, find_pile(chosen.set, settings), std::nullopt, frame_row(chosen)};
+  PileResult result{settings, find_pile(chosen.set, settings), {}, frame_row(chosen)};
   const Pile& pile = result.pile;
   warn_of_digits(chosen);
   append_pile(result.row, chosen.set, pile, settings);
   std::string why;
-  result.angle = try_repose(pile, settings, &why);
-  if (result.angle)
-    append_repose(result.row, *result.angle);
-  else
+  result.flanks = try_flanks(pile, settings, &why);
+  append_flanks(result.row, result.flanks);
+  if (result.flanks.empty())
     report_warning(chosen.run + ": no angle of repose: " + why);
   append_porosity(result.row,
-                  plane_porosity(pile, settings, porosity_settings(options), result.angle));
+                  plane_porosity(pile, settings, porosity_settings(options), result.flanks));
   const CoordinationOptions contacts = coordination_settings(options, settings, pile.mean_b);
   append_coordination(result.row, coordination(chosen.set, pile.members, contacts), pile.mean_b);
   append_rest(result.row, check_rest(chosen.set, pile.members, options.gravity));
   return result;
 }
 
-std::optional<ReposeAngle> try_repose(const Pile& pile, const PileOptions& options,
-                                      std::string* why) {
+std::vector<ReposeAngle> fitted_flanks(const Pile& pile, const PileOptions& options) {
+  std::vector<ReposeAngle> flanks;
+  if (!options.wall)
+    flanks.push_back(repose_angle(pile, options, Flank::left));
+  flanks.push_back(repose_angle(pile, options, Flank::right));
+  return flanks;
+}
+
+std::vector<ReposeAngle> try_flanks(const Pile& pile, const PileOptions& options,
+                                    std::string* why) {
   try {
-    return repose_angle(pile, options, Flank::right);
+    return fitted_flanks(pile, options);
   } catch (const InputError& error) {
     if (why)
       *why = error.what();
-    return std::nullopt;
+    return {};
   }
 }
 

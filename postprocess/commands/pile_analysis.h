@@ -25,15 +25,19 @@ PorosityOptions porosity_settings(const PileCommandOptions& options);
 CoordinationOptions coordination_settings(const PileCommandOptions& options,
                                           const PileOptions& pile, double mean_b);
 
-/// The fitted right flank, or nothing where the surface is too short (the reason to `why`).
-std::optional<ReposeAngle> try_repose(const Pile& pile, const PileOptions& options,
-                                      std::string* why = nullptr);
+/// The fitted flank beside the wall, or both of a pile without a wall, the left one first.
+/// Throws InputError where the surface is too short.
+std::vector<ReposeAngle> fitted_flanks(const Pile& pile, const PileOptions& options);
+
+/// The same; nothing where the surface is too short (the reason to `why`).
+std::vector<ReposeAngle> try_flanks(const Pile& pile, const PileOptions& options,
+                                    std::string* why = nullptr);
 
 /// All measures of one frame.
 struct PileResult {
   PileOptions settings;
   Pile pile;
-  std::optional<ReposeAngle> angle;
+  std::vector<ReposeAngle> flanks;
   Row row;
 };
 PileResult analyse_pile(const PileCommandOptions& options, const ChosenFrame& chosen);

@@ -15,7 +15,7 @@ struct PileTableOptions : PileCommandOptions {
 Row pile_row(const PileTableOptions& options, const ChosenFrame& chosen) {
   const PileResult result = analyse_pile(options, chosen);
   if (!options.picture.empty())
-    write_pile_picture(options.picture, chosen, result.pile, result.settings, result.angle, {});
+    write_pile_picture(options.picture, chosen, result.pile, result.settings, result.flanks, {});
   return result.row;
 }
 
@@ -32,8 +32,10 @@ void add_pile_command(CLI::App& program, int& exit_code) {
   add_porosity_options(*command, *options);
   add_coordination_options(*command, *options);
   add_rest_options(*command, *options);
-  command->add_option("--picture", options->picture,
-                      "draw the pile as well: a name that ends in .svg or .png, see render");
+  command
+      ->add_option("--picture", options->picture,
+                   "draw the pile as well: a name that ends in .svg or .png, see render")
+      ->check(picture_name_check());
   command->callback([options, &exit_code] {
     if (!options->picture.empty())
       options->frames.threads = 1; // pictures may have the same name: the last frame's remains

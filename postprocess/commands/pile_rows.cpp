@@ -40,17 +40,38 @@ void append_surface(Row& row, const ParticleSet& set) {
   row.push_back({"subspheres", "sub-spheres N", "", number});
 }
 
+namespace {
+
+void append_angle(Row& row, double angle_deg, double error_deg, const std::string& side) {
+  const std::string key = side.empty() ? "" : "_" + side, name = side.empty() ? "" : " " + side;
+  row.push_back({"repose_angle" + key + "_deg", "angle of repose" + name, "deg", angle_deg});
+  row.push_back(
+      {"repose_angle_standard_error" + key + "_deg", "standard error" + name, "deg", error_deg});
+}
+
 void append_repose(Row& row, const ReposeAngle& angle, const std::string& side) {
   const std::string key = side.empty() ? "" : "_" + side, name = side.empty() ? "" : " " + side;
-  row.push_back({"repose_angle" + key + "_deg", "angle of repose" + name, "deg", angle.angle_deg});
-  row.push_back({"repose_angle_standard_error" + key + "_deg", "standard error" + name, "deg",
-                 angle.standard_error_deg});
+  append_angle(row, angle.angle_deg, angle.standard_error_deg, side);
   row.push_back({"surface_residual" + key + "_b", "rms distance from the line" + name, "b",
                  angle.residual_in_b});
   row.push_back({"point_a_x" + key + "_m", "A: x" + name, "m", angle.a.x()});
   row.push_back({"point_a_y" + key + "_m", "A: y" + name, "m", angle.a.y()});
   row.push_back({"point_b_x" + key + "_m", "B: x" + name, "m", angle.b.x()});
   row.push_back({"point_b_y" + key + "_m", "B: y" + name, "m", angle.b.y()});
+}
+
+} // namespace
+
+void append_flanks(Row& row, const std::vector<ReposeAngle>& flanks) {
+  if (flanks.size() == 1)
+    append_repose(row, flanks.front(), "");
+  if (flanks.size() < 2)
+    return;
+  const ReposeAngle &left = flanks[0], &right = flanks[1];
+  append_angle(row, 0.5 * (left.angle_deg + right.angle_deg),
+               0.5 * std::hypot(left.standard_error_deg, right.standard_error_deg), "");
+  append_repose(row, left, "left");
+  append_repose(row, right, "right");
 }
 
 void append_porosity(Row& row, const Porosity& p) {

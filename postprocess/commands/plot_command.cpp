@@ -3,6 +3,7 @@
 #include "figures.h"
 #include "frame_options.h"
 #include "input_error.h"
+#include "picture_options.h"
 
 #include <fmt/format.h>
 #include <memory>
@@ -19,11 +20,7 @@ struct PlotOptions {
 };
 
 void plot(const PlotOptions& options) {
-  Table runs;
-  for (const std::string& file : options.files) {
-    const Table table = read_csv(file);
-    runs.rows.insert(runs.rows.end(), table.rows.begin(), table.rows.end());
-  }
+  const Table runs = read_csv_files(options.files, figure_columns);
   const auto charts = figure(options.number, runs, options.aspect_ratio);
   constexpr int panel_width = 900; // pixels
   const int width =
@@ -44,13 +41,14 @@ void add_plot_command(CLI::App& program, int& exit_code) {
       "--outline ellipse as well for 'MS ellipse'); 17 and 18 take CSV files with "
       "the columns subspheres (empty: smooth, with surface = smooth) and "
       "relative_cpu_time or potential_contacts_per_particle. Error bars and bands: "
-      "half range over runs. Open squares and dashed bands: values of the paper's text.");
+      "half range over runs. Open markers and dashed lines: values of the paper's text.");
   command->add_option("figure", options->number, "5, 12, 13, 15, 17 or 18")
       ->required()
       ->check(CLI::IsMember(known_figures));
   command->add_option("files", options->files, "CSV files");
   command->add_option("--output,-o", options->output, "file name, ends in .svg or .png")
-      ->required();
+      ->required()
+      ->check(picture_name_check());
   command->add_option("--aspect", options->aspect_ratio, "a/b of the particles (figure 15)")
       ->check(CLI::Range(1.0001, 1000.0))
       ->capture_default_str();

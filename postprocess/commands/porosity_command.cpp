@@ -13,7 +13,7 @@ Row porosity_row(const PileCommandOptions& options, const ChosenFrame& chosen) {
   Row row = frame_row(chosen);
   append_pile(row, chosen.set, pile, settings);
   append_porosity(
-      row, plane_porosity(pile, settings, porosity_settings(options), try_repose(pile, settings)));
+      row, plane_porosity(pile, settings, porosity_settings(options), try_flanks(pile, settings)));
   return row;
 }
 

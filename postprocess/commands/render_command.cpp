@@ -33,7 +33,7 @@ void render(const RenderOptions& options, const ChosenFrame& chosen) {
   if (!options.contacts.files.empty())
     picture.force_chains = force_links(contact_list_at(options.contacts, chosen.frame.timestep),
                                        options.contacts.columns, chosen.set);
-  write_pile_picture(options.output, chosen, pile, settings, try_repose(pile, settings), picture);
+  write_pile_picture(options.output, chosen, pile, settings, try_flanks(pile, settings), picture);
 }
 
 void add_force_chain_options(CLI::App& command, ContactListOptions& options) {
@@ -50,18 +50,26 @@ void add_force_chain_options(CLI::App& command, ContactListOptions& options) {
 
 } // namespace
 
+std::string frame_title(const ChosenFrame& chosen) {
+  return fmt::format("{} particles, time step {}", chosen.set.particles.size(),
+                     chosen.frame.timestep);
+}
+
+CLI::Validator picture_name_check() {
+  return check_by([](const std::string& name) { picture_format(name); });
+}
+
 void write_pile_picture(const std::string& path, const ChosenFrame& chosen, const Pile& pile,
-                        const PileOptions& pile_options, const std::optional<ReposeAngle>& angle,
+                        const PileOptions& pile_options, const std::vector<ReposeAngle>& flanks,
                         const PilePictureOptions& options) {
   std::string name = path;
   if (const auto star = name.find('*'); star != std::string::npos)
     name.replace(star, 1, fmt::format("{}", chosen.frame.timestep));
   PilePictureOptions titled = options;
   if (titled.title.empty())
-    titled.title = fmt::format("{} particles, time step {}", chosen.set.particles.size(),
-                               chosen.frame.timestep);
+    titled.title = frame_title(chosen);
   write_text(name, draw_pile(picture_format(name), chosen.frame, chosen.set, pile, pile_options,
-                             angle, titled));
+                             flanks, titled));
   fmt::print(stderr, "picture: {}\n", name);
 }
 
@@ -78,7 +86,8 @@ void add_render_command(CLI::App& program, int& exit_code) {
   add_frame_options(*command, options->frames);
   add_plane_options(*command, options->plane);
   command->add_option("--output,-o", options->output, "file name, ends in .svg or .png")
-      ->required();
+      ->required()
+      ->check(picture_name_check());
   command->add_option("--width", options->picture.width, "pixels; the height follows")
       ->check(CLI::Range(100, 20000))
       ->capture_default_str();

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <map>
 #include <memory>
 
 namespace ellipsoid::post {
@@ -52,7 +53,8 @@ std::vector<std::string> with_folders_opened(const std::vector<std::string>& arg
 struct Findings {
   Table runs{"", {}};
   Table logs{"", {}};
-  std::string pictures;
+  std::vector<std::string> pictures;    ///< SVG, one per run
+  std::vector<std::string> without_log; ///< runs
 };
 
 Row log_row(const std::string& run, const RunLog& log) {
@@ -72,14 +74,92 @@ void visit(const ReportOptions& options, const ChosenFrame& chosen, Findings& fi
   const PileResult result = analyse_pile(options, chosen);
   findings.runs.rows.push_back(result.row);
   PilePictureOptions picture;
-  picture.title =
-      fmt::format("{} particles, time step {}", chosen.set.particles.size(), chosen.frame.timestep);
-  findings.pictures += html_picture(draw_pile(PictureFormat::svg, chosen.frame, chosen.set,
-                                              result.pile, result.settings, result.angle, picture),
-                                    chosen.run);
+  picture.title = frame_title(chosen);
+  findings.pictures.push_back(draw_pile(PictureFormat::svg, chosen.frame, chosen.set, result.pile,
+                                        result.settings, result.flanks, picture));
   const std::string log = log_beside(chosen.frame.place.file);
-  if (!log.empty())
+  if (log.empty())
+    findings.without_log.push_back(chosen.run);
+  else
     findings.logs.rows.push_back(log_row(chosen.run, read_run_log(log)));
+}
+
+/// What tells the runs apart: their names without the folders that all have in common, and without
+/// the file's name where it is the same.
+std::map<std::string, std::string> short_names(const Table& runs) {
+  namespace fs = std::filesystem;
+  std::vector<fs::path> paths;
+  for (const Row& row : runs.rows)
+    paths.emplace_back(shown(*find_value(row, "run")));
+  const auto all_same = [&](const auto& part) {
+    return std::all_of(paths.begin(), paths.end(),
+                       [&](const fs::path& path) { return part(path) == part(paths.front()); });
+  };
+  const bool drops_file = paths.size() > 1 && paths.front().has_parent_path() &&
+                          all_same([](const fs::path& path) { return path.filename(); });
+  std::map<std::string, std::string> names;
+  for (const fs::path& path : paths)
+    names[path.string()] = (drops_file ? path.parent_path() : path).string();
+  const auto first_folder_is_common = [&] {
+    const std::string& name = names.begin()->second;
+    const std::string folder = name.substr(0, name.find('/') + 1);
+    return !folder.empty() && std::all_of(names.begin(), names.end(), [&](const auto& entry) {
+      return entry.second.rfind(folder, 0) == 0 && entry.second.size() > folder.size();
+    });
+  };
+  while (first_folder_is_common())
+    for (auto& [path, name] : names)
+      name.erase(0, name.find('/') + 1);
+  return names;
+}
+
+/// The rows with short names of the runs.
+Table renamed(Table table, const std::map<std::string, std::string>& names) {
+  for (Row& row : table.rows)
+    for (Quantity& q : row)
+      if (q.key == "run")
+        q.value = names.at(shown(q.value));
+  return table;
+}
+
+/// Parameters that all runs share in one sentence, the others as a table.
+std::string parameters_of(const Table& logs) {
+  std::string shared;
+  std::vector<std::string> own;
+  for (const Quantity& q : logs.header()) {
+    const Value* first = find_value(logs.rows.front(), q.key);
+    const bool is_shared = first && q.key != "run" && logs.rows.size() > 1 &&
+                           std::all_of(logs.rows.begin(), logs.rows.end(), [&](const Row& row) {
+                             const Value* value = find_value(row, q.key);
+                             return value && *value == *first;
+                           });
+    if (is_shared)
+      shared += fmt::format("{}{} = {}", shared.empty() ? "" : ", ", q.name, shown(*first));
+    else
+      own.push_back(q.key);
+  }
+  Table table;
+  for (const Row& row : logs.rows) {
+    table.rows.emplace_back();
+    for (const Quantity& q : row)
+      if (std::find(own.begin(), own.end(), q.key) != own.end())
+        table.rows.back().push_back(q);
+  }
+  return (shared.empty() ? "" : "<p>All runs: " + html_safe(shared) + ".</p>\n") +
+         html_table(table);
+}
+
+std::string pictures_of(const Findings& findings, const std::map<std::string, std::string>& names) {
+  std::string html;
+  for (std::size_t k = 0; k < findings.pictures.size(); ++k) {
+    const Row& row = findings.runs.rows[k];
+    const std::string count = shown(*find_value(row, "subspheres"));
+    html += html_picture(findings.pictures[k],
+                         fmt::format("{}: {}{}", names.at(shown(*find_value(row, "run"))),
+                                     shown(*find_value(row, "surface")),
+                                     count == "-" ? "" : ", N = " + count));
+  }
+  return html;
 }
 
 /// The figures that these runs can fill.
@@ -105,10 +185,21 @@ std::string page(const ReportOptions& options, const Findings& findings) {
   if (const Table compared = compared_with_paper(findings.runs); !compared.rows.empty())
     body += "<h2>Compared with the paper</h2>\n" + html_table(compared);
   body += "<h2>Figures</h2>\n" + figures_of(findings.runs);
-  body += "<h2>Runs</h2>\n" + html_table(findings.runs);
-  body += "<h2>Piles</h2>\n" + findings.pictures;
+  constexpr std::size_t few = 6; // runs side by side on a page
+  const auto names = short_names(findings.runs);
+  const Table runs = renamed(findings.runs, names);
+  body += "<h2>Runs</h2>\n";
+  body += runs.rows.size() > few ? html_table(runs) : html_table_beside(runs, "run");
+  body += "<h2>Piles</h2>\n" + pictures_of(findings, names);
+  body += "<h2>Parameters, versions, run times</h2>\n";
   if (!findings.logs.rows.empty())
-    body += "<h2>Parameters, versions, run times</h2>\n" + html_table(findings.logs);
+    body += parameters_of(renamed(findings.logs, names));
+  if (!findings.without_log.empty()) {
+    body += "<p>No log file (log.* or *.log) lies beside the dumps of";
+    for (const std::string& run : findings.without_log)
+      body += " " + html_safe(names.at(run));
+    body += ": nothing is known of their parameters, version and run time.</p>\n";
+  }
   body += fmt::format("<h2>Definitions</h2>\n<p>{}</p>\n<p>{}</p>\n<p>{}</p>\n<p>{}</p>\n",
                       html_safe(pile_definition), html_safe(repose_definition),
                       html_safe(porosity_definition), html_safe(coordination_definition));

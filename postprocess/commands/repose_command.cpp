@@ -12,12 +12,7 @@ Row repose_row(const PileCommandOptions& options, const ChosenFrame& chosen) {
   const Pile pile = find_pile(chosen.set, settings);
   Row row = frame_row(chosen);
   append_pile(row, chosen.set, pile, settings);
-  if (settings.wall) {
-    append_repose(row, repose_angle(pile, settings, Flank::right));
-  } else {
-    append_repose(row, repose_angle(pile, settings, Flank::left), "left");
-    append_repose(row, repose_angle(pile, settings, Flank::right), "right");
-  }
+  append_flanks(row, fitted_flanks(pile, settings));
   return row;
 }
 
@@ -25,8 +20,8 @@ Row repose_row(const PileCommandOptions& options, const ChosenFrame& chosen) {
 
 void add_repose_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<PileCommandOptions>();
-  CLI::App* command =
-      program.add_subcommand("repose", "angle of repose of an in-plane pile beside a wall");
+  CLI::App* command = program.add_subcommand(
+      "repose", "angle of repose of an in-plane pile beside a wall, or of both its flanks");
   command->footer(std::string(pile_definition) + "\n" + repose_definition);
   add_frame_options(*command, options->frames);
   add_plane_options(*command, options->plane);

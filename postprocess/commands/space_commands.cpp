@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Showing particles in space: pictures, and files for ParaView.
-#include "particle_colours.h"
+#include "picture_options.h"
 #include "space_picture.h"
 #include "template_files.h"
 #include "upright_options.h"
@@ -15,7 +15,9 @@ namespace {
 struct RenderSpaceOptions {
   FrameOptions frames;
   SpaceView view;
-  std::string up = "z", colour_by, output;
+  std::string up = "z", colour_by, output, title;
+  std::vector<double> colour_range, part;
+  bool is_bare = false;
 };
 
 std::string with_step(std::string path, std::int64_t step) {
@@ -24,11 +26,40 @@ std::string with_step(std::string path, std::int64_t step) {
   return path;
 }
 
+/// The view, with the part that is to be seen turned upright.
+SpaceView view_of(const RenderSpaceOptions& options) {
+  SpaceView view = options.view;
+  if (options.part.size() != 6)
+    return view;
+  view.part = Box();
+  for (unsigned k = 0; k < 3; ++k) {
+    const unsigned from = options.up == "y" ? (k + 2) % 3 : k; // as upright() turns the axes
+    view.part->lower[k] = options.part[2 * from];
+    view.part->upper[k] = options.part[2 * from + 1];
+    if (!(view.part->lower[k] < view.part->upper[k]))
+      throw InputError("--view needs x0 < x1, y0 < y1 and z0 < z1");
+  }
+  return view;
+}
+
 void render_space(const RenderSpaceOptions& options, const ChosenFrame& chosen) {
-  const auto colours = particle_colours(chosen.frame, chosen.set, options.colour_by, {}, {});
+  std::optional<double> low, high;
+  if (options.colour_range.size() == 2) {
+    low = options.colour_range[0];
+    high = options.colour_range[1];
+  }
+  const auto colours = particle_colours(chosen.frame, chosen.set, options.colour_by, low, high);
+  const ParticleSet set = upright(chosen.set, options.up);
+  const SpaceView view = view_of(options);
   const std::string name = with_step(options.output, chosen.frame.timestep);
-  write_text(name,
-             png_bytes(draw_space(upright(chosen.set, options.up), colours.colours, options.view)));
+  const PictureFormat format = picture_format(name);
+  if (options.is_bare && format != PictureFormat::png)
+    throw InputError(name + ": --bare makes a PNG: choose a name that ends in .png");
+  if (options.is_bare || (format == PictureFormat::png && !draws_png()))
+    write_text(name, png_bytes(draw_space(set, colours.colours, view).image));
+  else
+    write_text(name, space_picture(format, set, colours, view,
+                                   options.title.empty() ? frame_title(chosen) : options.title));
   fmt::print(stderr, "picture: {}\n", name);
   if (colours.has_scale)
     fmt::print(stderr, "colours: {} from {:.4g} to {:.4g}\n", colours.label, colours.low,
@@ -98,17 +129,15 @@ int write_series(const ParaviewOptions& options) {
 void add_render3d_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<RenderSpaceOptions>();
   CLI::App* command = program.add_subcommand(
-      "render3d", "picture of particles in space: shaded ellipsoids or sub-spheres, PNG");
+      "render3d", "picture of particles in space: shaded ellipsoids or sub-spheres, PNG or SVG");
   command->footer("Parallel projection; every point is an exact intersection of a ray with a body. "
-                  "No display and no OpenGL are needed. A film: --frame all -o 'film_*.png'.");
+                  "No display and no OpenGL are needed. A film: --frame all -o 'film_*.png', with "
+                  "--view and --colour-range so that all frames have the same scale.");
   add_frame_options(*command, options->frames);
   add_up_option(*command, options->up);
-  command->add_option("--output,-o", options->output, "file name, ends in .png")
+  command->add_option("--output,-o", options->output, "file name, ends in .png or .svg")
       ->required()
-      ->check([](const std::string& name) {
-        const bool is_png = name.size() > 4 && name.substr(name.size() - 4) == ".png";
-        return is_png ? std::string() : name + ": the name must end in .png";
-      });
+      ->check(picture_name_check());
   command->add_option("--width", options->view.width, "pixels")
       ->check(CLI::Range(16, 10000))
       ->capture_default_str();
@@ -126,6 +155,14 @@ void add_render3d_command(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   command->add_option("--colour,--color", options->colour_by,
                       "colour by a column of the file, or by angle or speed");
+  command->add_option("--colour-range", options->colour_range, "ends of the colour scale")
+      ->expected(2);
+  command
+      ->add_option("--view", options->part,
+                   "x0 x1 y0 y1 z0 z1: fits this part of the space into the picture")
+      ->expected(6);
+  command->add_option("--title", options->title, "words above the picture");
+  command->add_flag("--bare", options->is_bare, "PNG of the particles alone, no words and scales");
   command->callback([options, &exit_code] {
     exit_code = for_chosen_frames(options->frames,
                                   [&](const ChosenFrame& f) { render_space(*options, f); });

@@ -4,6 +4,8 @@
 #include "input_error.h"
 #include "statistics.h"
 
+#include <algorithm>
+#include <fmt/format.h>
 #include <memory>
 
 namespace ellipsoid::post {
@@ -14,17 +16,29 @@ struct SummaryOptions {
   std::vector<std::string> files;
   std::vector<std::string> groups = {"surface", "subspheres"};
   std::vector<std::string> quantities = {"repose_angle_deg", "porosity", "zpp", "zss"};
+  bool names_quantities = false; ///< they are the user's choice
 };
 
+/// Every quantity that the user names must be there; of the usual ones at least one.
+void require_columns(const SummaryOptions& options, const Table& runs) {
+  const std::vector<Quantity> header = runs.header();
+  const auto is_missing = [&](const std::string& key) {
+    return std::none_of(header.begin(), header.end(),
+                        [&](const Quantity& q) { return q.key == key; });
+  };
+  const auto begin = options.quantities.begin(), end = options.quantities.end();
+  const auto missing = options.names_quantities || std::all_of(begin, end, is_missing)
+                           ? std::find_if(begin, end, is_missing)
+                           : end;
+  if (missing != end)
+    throw InputError(fmt::format("{}: expected a column \"{}\" (choose others with --quantity), {}",
+                                 options.files.front(), *missing, columns_found(runs)));
+}
+
 int summarise(const SummaryOptions& options) {
-  Table runs;
-  for (const std::string& file : options.files) {
-    const Table table = read_csv(file);
-    runs.rows.insert(runs.rows.end(), table.rows.begin(), table.rows.end());
-  }
+  const Table runs = read_csv_files(options.files, options.quantities);
+  require_columns(options, runs);
   const Table summary = summary_of(runs, options.groups, options.quantities);
-  if (summary.rows.empty())
-    throw InputError("the CSV files have no rows");
   if (prints_text(options.output))
     write_text("-", as_text(summary_for_people(runs, options.groups, options.quantities)));
   FrameOptions files = options.output;
@@ -46,11 +60,12 @@ void add_summary_command(CLI::App& program, int& exit_code) {
   command->add_option("--group", options->groups, "columns that tell the groups apart")
       ->delimiter(',')
       ->capture_default_str();
-  command->add_option("--quantity", options->quantities, "columns to average")
-      ->delimiter(',')
-      ->capture_default_str();
+  CLI::Option* quantity =
+      command->add_option("--quantity", options->quantities, "columns to average");
+  quantity->delimiter(',')->capture_default_str();
   add_output_options(*command, options->output);
-  command->callback([options, &exit_code] {
+  command->callback([options, quantity, &exit_code] {
+    options->names_quantities = quantity->count() > 0;
     try {
       exit_code = summarise(*options);
     } catch (const InputError& error) {

@@ -3,7 +3,9 @@
 #include "input_error.h"
 #include "template_files.h"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
 #include <memory>
 
 namespace ellipsoid::post {
@@ -15,9 +17,38 @@ struct TemplateOptions {
   std::vector<double> aspect_ratios = {2.7 / 1.15};
   std::vector<int> counts = {3, 5, 7, 9, 11, 13, 15, 17};
   std::string spacing_word = "paper";
-  double tolerance = 0.0, compared_tolerance = 0.0;
+  std::string measure = "area";
+  double tolerance = 0.0, compared_tolerance = 0.0, mass = 0.0;
   std::string multisphere, molecule, spheres, mesh, stl;
 };
+
+constexpr ShapeMeasure measures[] = {ShapeMeasure::area, ShapeMeasure::volume,
+                                     ShapeMeasure::outline};
+
+ShapeMeasure measure_of(const std::string& word) {
+  return *std::find_if(std::begin(measures), std::end(measures),
+                       [&](ShapeMeasure m) { return word_of(m) == word; });
+}
+
+/// A template that is asked for.
+struct Wanted {
+  double aspect_ratio;
+  int count;
+};
+
+/// All counts for each aspect ratio, or the count that each aspect ratio needs.
+std::vector<Wanted> wanted_templates(const TemplateOptions& options, SphereSpacing spacing) {
+  std::vector<Wanted> wanted;
+  for (const double s : options.aspect_ratios) {
+    if (options.tolerance > 0.0)
+      wanted.push_back(
+          {s, sphere_count_for(s, measure_of(options.measure), options.tolerance, spacing)});
+    else
+      for (const int count : options.counts)
+        wanted.push_back({s, count});
+  }
+  return wanted;
+}
 
 Row template_row(const MultisphereTemplate& chain, double aspect_ratio) {
   const MultisphereMeasures m = measure(chain);
@@ -37,17 +68,15 @@ Row template_row(const MultisphereTemplate& chain, double aspect_ratio) {
 
 /// The templates that the options ask for. One that cannot be built (too few spheres for the
 /// aspect ratio) is left out with a warning; if none is left, this is an error.
-Table geometry_table(const TemplateOptions& options, SphereSpacing spacing) {
+Table geometry_table(const std::vector<Wanted>& wanted, double b, SphereSpacing spacing) {
   Table table{"Multi-sphere templates", {}};
-  for (const double s : options.aspect_ratios)
-    for (const int count : options.counts) {
-      try {
-        table.rows.push_back(
-            template_row(make_multisphere(s * options.b, options.b, count, spacing), s));
-      } catch (const std::invalid_argument& error) {
-        fmt::print(stderr, "warning: {}\n", error.what());
-      }
+  for (const auto& [s, count] : wanted) {
+    try {
+      table.rows.push_back(template_row(make_multisphere(s * b, b, count, spacing), s));
+    } catch (const std::invalid_argument& error) {
+      report_warning(error.what());
     }
+  }
   if (table.rows.empty())
     throw InputError("none of these templates can be built");
   return table;
@@ -70,24 +99,27 @@ Table comparison_table(const TemplateOptions& options) {
   return table;
 }
 
-void write_files(const TemplateOptions& options, SphereSpacing spacing) {
-  const std::vector<const std::string*> files = {&options.multisphere, &options.molecule,
-                                                 &options.spheres, &options.mesh, &options.stl};
-  bool wants_files = false;
-  for (const std::string* file : files)
-    wants_files = wants_files || !file->empty();
-  if (!wants_files)
-    return;
-  if (options.counts.size() != 1 || options.aspect_ratios.size() != 1)
-    throw InputError("files hold one template: give one --subspheres and one --aspect");
+std::vector<const std::string*> files_of(const TemplateOptions& options) {
+  std::vector<const std::string*> files;
+  for (const std::string* file :
+       {&options.multisphere, &options.molecule, &options.spheres, &options.mesh, &options.stl})
+    if (!file->empty())
+      files.push_back(file);
+  return files;
+}
+
+void write_files(const TemplateOptions& options, const Wanted& wanted, SphereSpacing spacing) {
   const MultisphereTemplate chain =
-      make_multisphere(options.aspect_ratios[0] * options.b, options.b, options.counts[0], spacing);
+      make_multisphere(wanted.aspect_ratio * options.b, options.b, wanted.count, spacing);
   const auto write = [](const std::string& path, const std::string& text) {
     if (!path.empty())
       write_text(path, text);
   };
   write(options.multisphere, host_multisphere_file(chain));
-  write(options.molecule, molecule_file(chain));
+  if (!options.multisphere.empty() && options.mass > 0.0)
+    fmt::print(stderr, "of fix particletemplate/multisphere: {}\n",
+               host_multisphere_words(chain, options.multisphere, options.mass));
+  write(options.molecule, molecule_file(chain, options.mass));
   write(options.spheres, spheres_csv(chain));
   const SurfaceMesh surface = outline_of_revolution(chain);
   write(options.mesh, vtp_text(surface));
@@ -100,13 +132,18 @@ int run(TemplateOptions& options) {
     return exit_good;
   }
   const SphereSpacing spacing = sphere_spacing_from_word(options.spacing_word);
-  if (options.tolerance > 0.0) {
-    options.counts.clear();
-    for (const double s : options.aspect_ratios)
-      options.counts.push_back(sphere_count_for(s, ShapeMeasure::area, options.tolerance, spacing));
+  const std::vector<const std::string*> files = files_of(options);
+  const std::vector<Wanted> wanted = wanted_templates(options, spacing);
+  if (!files.empty() && wanted.size() != 1) {
+    report_error(
+        "files hold one template: give one --aspect, and one --subspheres or a --tolerance");
+    return exit_bad_usage;
   }
-  write_table(options.output, geometry_table(options, spacing));
-  write_files(options, spacing);
+  for (const std::string* file : files)
+    options.output.quiet = options.output.quiet || *file == "-";
+  write_table(options.output, geometry_table(wanted, options.b, spacing));
+  if (!files.empty())
+    write_files(options, wanted.front(), spacing);
   return exit_good;
 }
 
@@ -126,12 +163,23 @@ void add_template_command(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   command->add_option("--aspect", options->aspect_ratios, "aspect ratios a/b")->delimiter(',');
   command->add_option("--subspheres", options->counts, "numbers N of sub-spheres")->delimiter(',');
-  command->add_option("--spacing", options->spacing_word, "paper, minimax_outline, minimax_area")
-      ->capture_default_str();
+  command
+      ->add_option("--spacing", options->spacing_word,
+                   "paper, minimax (the same as minimax_outline), minimax_outline, minimax_area")
+      ->capture_default_str()
+      ->check(check_by([](const std::string& word) { sphere_spacing_from_word(word); }));
   command
       ->add_option("--tolerance", options->tolerance,
-                   "instead of --subspheres: the smallest N within this share of the area")
+                   "instead of --subspheres: the smallest N within this share of the measure")
       ->check(CLI::Range(1e-6, 0.5));
+  command->add_option("--measure", options->measure, "of --tolerance: area, volume or outline")
+      ->check(CLI::IsMember({"area", "volume", "outline"}))
+      ->capture_default_str();
+  command
+      ->add_option("--mass", options->mass,
+                   "of the body (kg): completes the molecule file, prints the words that go with "
+                   "--multisphere")
+      ->check(CLI::PositiveNumber);
   CLI::Option* compare = command->add_option(
       "--compare-spacings", options->compared_tolerance,
       "table of the smallest N of each spacing within this share of area, volume and outline");
@@ -142,8 +190,8 @@ void add_template_command(CLI::App& program, int& exit_code) {
   command->add_option("--spheres", options->spheres, "write the spheres as CSV");
   command->add_option("--vtp", options->mesh, "write the surface for ParaView");
   command->add_option("--stl", options->stl, "write the surface as STL");
-  for (const char* other : {"--b", "--subspheres", "--spacing", "--tolerance", "--multisphere",
-                            "--molecule", "--spheres", "--vtp", "--stl"})
+  for (const char* other : {"--b", "--subspheres", "--spacing", "--tolerance", "--measure",
+                            "--mass", "--multisphere", "--molecule", "--spheres", "--vtp", "--stl"})
     compare->excludes(command->get_option(other));
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] {

@@ -4,6 +4,8 @@
 #include "input_error.h"
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace ellipsoid::post {
 namespace {
@@ -86,6 +88,23 @@ void CairoCanvas::text(const PixelPoint& place, const std::string& words, const 
   cairo_show_text(m_cairo, words.c_str());
   cairo_restore(m_cairo);
   cairo_new_path(m_cairo);
+}
+
+void CairoCanvas::image(const PixelPoint& corner, const PixelImage& pixels) {
+  const int width = static_cast<int>(pixels.width), height = static_cast<int>(pixels.height);
+  cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
+  unsigned char* const bytes = cairo_image_surface_get_data(surface);
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface));
+  for (std::size_t row = 0; row < pixels.height; ++row)
+    for (std::size_t column = 0; column < pixels.width; ++column) {
+      const std::uint8_t* const rgb = &pixels.samples[3 * (row * pixels.width + column)];
+      const auto value = static_cast<std::uint32_t>(rgb[0] << 16 | rgb[1] << 8 | rgb[2]);
+      std::memcpy(bytes + row * stride + 4 * column, &value, sizeof value);
+    }
+  cairo_surface_mark_dirty(surface);
+  cairo_set_source_surface(m_cairo, surface, corner.x, corner.y);
+  cairo_paint(m_cairo);
+  cairo_surface_destroy(surface);
 }
 
 void CairoCanvas::begin_clip(const PixelPoint& corner, double width, double height) {

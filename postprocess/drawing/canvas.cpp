@@ -19,6 +19,14 @@ PictureFormat picture_format(const std::string& path) {
   throw InputError(path + ": a picture's name ends in .svg or .png");
 }
 
+bool draws_png() {
+#ifdef ELLIPSOID_HAS_CAIRO
+  return true;
+#else
+  return false;
+#endif
+}
+
 std::unique_ptr<Canvas> make_canvas(PictureFormat format, int width, int height) {
   if (format == PictureFormat::svg)
     return std::make_unique<SvgCanvas>(width, height);

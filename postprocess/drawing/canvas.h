@@ -4,6 +4,8 @@
 // Coordinates in pixels, x to the right, y downwards, as in SVG.
 #pragma once
 
+#include "png.h"
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -49,6 +51,8 @@ class Canvas {
                         const Style& style) = 0;
   /// Text in UTF-8 on a baseline at `place`.
   virtual void text(const PixelPoint& place, const std::string& words, const TextStyle& style) = 0;
+  /// A picture of pixels, one to one, its left top corner at `corner`.
+  virtual void image(const PixelPoint& corner, const PixelImage& pixels) = 0;
   /// Restricts what follows to a rectangle, until `end_clip`.
   virtual void begin_clip(const PixelPoint& corner, double width, double height) = 0;
   virtual void end_clip() = 0;
@@ -71,6 +75,9 @@ enum class PictureFormat { svg, png };
 
 /// By the ending of a file name (.svg, .png). Throws InputError for any other.
 PictureFormat picture_format(const std::string& path);
+
+/// Whether this build has cairo.
+bool draws_png();
 
 /// A white canvas. Throws InputError for PNG in a build without cairo.
 std::unique_ptr<Canvas> make_canvas(PictureFormat format, int width, int height);

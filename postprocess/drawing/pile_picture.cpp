@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "pile_picture.h"
 
-#include "axis_scale.h"
+#include "legends.h"
 #include "particle_colours.h"
 
 #include <algorithm>
@@ -119,23 +119,25 @@ void draw_fit(Canvas& canvas, const Projection& to, const PileOptions& options,
   dot.line_width = 0.0;
   const double slope = angle.line.slope;
   const Point foot((options.floor - angle.line.intercept) / slope, options.floor);
-  const double wall = options.wall.value_or(std::min(angle.a.x(), angle.b.x()));
+  const double top = options.wall.value_or(angle.a.x());
   canvas.begin_clip(to.at({to.view.left, to.view.top}), to.scale * (to.view.right - to.view.left),
                     to.scale * (to.view.top - to.view.bottom));
-  canvas.line(to.at(foot), to.at({wall, angle.line.intercept + slope * wall}), dashed);
+  canvas.line(to.at(foot), to.at({top, angle.line.intercept + slope * top}), dashed);
   canvas.line(to.at(angle.a), to.at(angle.b), thick);
   canvas.end_clip();
   TextStyle text;
   text.size = 26.0 * to.unit;
   text.colour = red;
   text.is_bold = true;
+  const double outwards = angle.b.x() > angle.a.x() ? 1.0 : -1.0; // where the words stand
+  text.anchor = outwards > 0.0 ? Anchor::start : Anchor::end;
   for (const auto& [point, name] : {std::pair(angle.a, "A"), std::pair(angle.b, "B")}) {
     const PixelPoint p = to.at(point);
     canvas.ellipse(p, 6.0 * to.unit, 6.0 * to.unit, 0.0, dot);
-    canvas.text({p.x + 10.0 * to.unit, p.y - 14.0 * to.unit}, name, text);
+    canvas.text({p.x + outwards * 10.0 * to.unit, p.y - 14.0 * to.unit}, name, text);
   }
   const PixelPoint middle = to.at(0.5 * (angle.a + angle.b));
-  canvas.text({middle.x + 40.0 * to.unit, middle.y - 50.0 * to.unit},
+  canvas.text({middle.x + outwards * 40.0 * to.unit, middle.y - 50.0 * to.unit},
               fmt::format("{:.1f}° ± {:.1f}°", angle.angle_deg, angle.standard_error_deg), text);
 }
 
@@ -148,42 +150,6 @@ void draw_surface(Canvas& canvas, const Projection& to, const Pile& pile) {
   line.line = {0.0, 0.35, 0.75};
   line.line_width = 2.0 * to.unit;
   canvas.polyline(points, false, line);
-}
-
-/// A bar of a round length, in mm (lengths of the file taken as metres).
-void draw_scale_bar(Canvas& canvas, const Projection& to, double y) {
-  const double length = round_length(0.2 * (to.view.right - to.view.left));
-  Style bar;
-  bar.line = ink;
-  bar.line_width = 4.0 * to.unit;
-  const double x = to.left;
-  canvas.line({x, y}, {x + length * to.scale, y}, bar);
-  TextStyle text;
-  text.size = 24.0 * to.unit;
-  canvas.text({x + length * to.scale + 12.0 * to.unit, y + 8.0 * to.unit},
-              fmt::format("{:g} mm", 1000.0 * length), text);
-}
-
-void draw_colour_bar(Canvas& canvas, const Projection& to, const ParticleColours& colours,
-                     double right, double y) {
-  const double width = 400.0 * to.unit, height = 18.0 * to.unit, left = right - width;
-  constexpr int steps = 100;
-  Style patch;
-  patch.is_filled = true;
-  patch.line_width = 0.0;
-  for (int k = 0; k < steps; ++k) {
-    patch.fill =
-        scale_colour(colours, colours.low + (colours.high - colours.low) * (k + 0.5) / steps);
-    canvas.rectangle({left + width * k / steps, y}, width / steps + 0.5, height, patch);
-  }
-  TextStyle text;
-  text.size = 20.0 * to.unit;
-  const double baseline = y + height + 24.0 * to.unit;
-  canvas.text({left, baseline}, fmt::format("{:.4g}", colours.low), text);
-  text.anchor = Anchor::end;
-  canvas.text({right, baseline}, fmt::format("{:.4g}", colours.high), text);
-  text.anchor = Anchor::middle;
-  canvas.text({0.5 * (left + right), baseline}, colours.label, text);
 }
 
 double largest_force(const std::vector<ForceLink>& links) {
@@ -239,7 +205,7 @@ Projection projection(const PileView& view, int width) {
 
 std::string draw_pile(PictureFormat format, const Frame& frame, const ParticleSet& set,
                       const Pile& pile, const PileOptions& pile_options,
-                      const std::optional<ReposeAngle>& angle, const PilePictureOptions& options) {
+                      const std::vector<ReposeAngle>& flanks, const PilePictureOptions& options) {
   const PileView view = options.view.value_or(whole_pile(set, pile, pile_options));
   if (!(view.right > view.left && view.top > view.bottom))
     throw InputError("the shown part of the plane is empty: --view needs x0 < x1 and y0 < y1");
@@ -263,14 +229,15 @@ std::string draw_pile(PictureFormat format, const Frame& frame, const ParticleSe
   draw_force_chains(*canvas, to, pile, options.force_chains);
   canvas->end_clip();
   draw_walls(*canvas, to, pile_options);
-  if (options.show_fit && angle && !options.view)
-    draw_fit(*canvas, to, pile_options, *angle);
+  if (options.show_fit && !options.view)
+    for (const ReposeAngle& flank : flanks)
+      draw_fit(*canvas, to, pile_options, flank);
   const double below = to.top + plane_height + 58.0 * to.unit;
-  draw_scale_bar(*canvas, to, below);
+  draw_scale_bar(*canvas, {to.left, below}, to.scale, view.right - view.left, to.unit);
   if (!options.force_chains.empty())
     draw_force_scale(*canvas, to, pile, options.force_chains, to.left + 0.4 * options.width, below);
   if (colours.has_scale)
-    draw_colour_bar(*canvas, to, colours, options.width - to.left, below - 14.0 * to.unit);
+    draw_colour_bar(*canvas, {options.width - to.left, below - 14.0 * to.unit}, colours, to.unit);
   TextStyle heading;
   heading.size = 26.0 * to.unit;
   canvas->text({to.left, 44.0 * to.unit}, options.title, heading);

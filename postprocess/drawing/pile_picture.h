@@ -29,11 +29,11 @@ struct PilePictureOptions {
   std::string title;
 };
 
-/// Draws an in-plane pile with wall, floor, fitted line and scale bar (paper, figures 10, 11, 14).
+/// Draws an in-plane pile with wall, floor, fitted lines and scale bar (paper, figures 10, 11, 14).
 /// Throws InputError for unknown columns.
 /// @return the file's bytes
 std::string draw_pile(PictureFormat format, const Frame& frame, const ParticleSet& set,
                       const Pile& pile, const PileOptions& pile_options,
-                      const std::optional<ReposeAngle>& angle, const PilePictureOptions& options);
+                      const std::vector<ReposeAngle>& flanks, const PilePictureOptions& options);
 
 } // namespace ellipsoid::post

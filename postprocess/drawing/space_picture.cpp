@@ -2,6 +2,7 @@
 #include "space_picture.h"
 
 #include "height_map.h"
+#include "legends.h"
 #include "quaternion_of_matrix.h"
 
 #include <algorithm>
@@ -26,16 +27,24 @@ struct DepthBuffer {
         owner(w * h, -1), light(w * h, 0.0f) {}
 };
 
-/// The set in the camera's frame: x to the right, y up, z towards the camera.
+/// Axes of the camera's frame: x to the right, y up, z towards the camera.
+struct Camera {
+  Vector3 right, up, towards;
+
+  explicit Camera(const SpaceView& view) {
+    const double azimuth = view.azimuth_deg * radians, elevation = view.elevation_deg * radians;
+    towards = {std::cos(azimuth) * std::cos(elevation), std::sin(azimuth) * std::cos(elevation),
+               std::sin(elevation)};
+    right = {-std::sin(azimuth), std::cos(azimuth), 0.0};
+    up = cross(towards, right);
+  }
+  Vector3 seen(const Vector3& v) const { return {dot(right, v), dot(up, v), dot(towards, v)}; }
+};
+
+/// The set in the camera's frame.
 ParticleSet in_camera_frame(const ParticleSet& set, const SpaceView& view) {
-  const double azimuth = view.azimuth_deg * radians, elevation = view.elevation_deg * radians;
-  const Vector3 to_camera{std::cos(azimuth) * std::cos(elevation),
-                          std::sin(azimuth) * std::cos(elevation), std::sin(elevation)};
-  const Vector3 right{-std::sin(azimuth), std::cos(azimuth), 0.0};
-  const Vector3 up = cross(to_camera, right);
-  const auto seen = [&](const Vector3& v) {
-    return Vector3{dot(right, v), dot(up, v), dot(to_camera, v)};
-  };
+  const Camera camera(view);
+  const auto seen = [&](const Vector3& v) { return camera.seen(v); };
   const Quaternion turn =
       quaternion_of({seen({1.0, 0.0, 0.0}), seen({0.0, 1.0, 0.0}), seen({0.0, 0.0, 1.0})});
   ParticleSet result = set;
@@ -55,15 +64,37 @@ struct Screen {
   double y(std::size_t j) const { return top - (static_cast<double>(j) + 0.5) / scale; }
 };
 
-Screen screen_for(const ParticleSet& seen, const DepthBuffer& buffer, double zoom) {
+/// A rectangle in the camera's plane.
+struct SeenRange {
   double x0 = 1e300, x1 = -1e300, y0 = 1e300, y1 = -1e300;
-  for (const Particle& p : seen.particles) {
-    const double reach = p.largest_axis();
-    x0 = std::min(x0, p.centre.x - reach);
-    x1 = std::max(x1, p.centre.x + reach);
-    y0 = std::min(y0, p.centre.y - reach);
-    y1 = std::max(y1, p.centre.y + reach);
+  void add(const Vector3& centre, double reach) {
+    x0 = std::min(x0, centre.x - reach);
+    x1 = std::max(x1, centre.x + reach);
+    y0 = std::min(y0, centre.y - reach);
+    y1 = std::max(y1, centre.y + reach);
   }
+};
+
+/// What is to be seen: all particles, or the corners of a box.
+SeenRange seen_range(const ParticleSet& seen, const SpaceView& view) {
+  SeenRange range;
+  if (!view.part) {
+    for (const Particle& p : seen.particles)
+      range.add(p.centre, p.largest_axis());
+    return range;
+  }
+  const Camera camera(view);
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const auto bound = [&](unsigned k) {
+      return (corner >> k & 1u) != 0 ? view.part->upper[k] : view.part->lower[k];
+    };
+    range.add(camera.seen({bound(0), bound(1), bound(2)}), 0.0);
+  }
+  return range;
+}
+
+Screen screen_for(const SeenRange& range, const DepthBuffer& buffer, double zoom) {
+  const auto& [x0, x1, y0, y1] = range;
   constexpr double filled = 0.94; // of the picture
   const double width = static_cast<double>(buffer.width),
                height = static_cast<double>(buffer.height);
@@ -145,8 +176,8 @@ Colour ray_colour(const DepthBuffer& buffer, const std::vector<Colour>& colours,
 
 } // namespace
 
-PixelImage draw_space(const ParticleSet& upright, const std::vector<Colour>& colours,
-                      const SpaceView& view) {
+SpacePixels draw_space(const ParticleSet& upright, const std::vector<Colour>& colours,
+                       const SpaceView& view) {
   if (upright.particles.empty())
     throw InputError("there are no particles to show");
   PixelImage image;
@@ -154,7 +185,7 @@ PixelImage draw_space(const ParticleSet& upright, const std::vector<Colour>& col
   image.height = static_cast<std::size_t>(view.height);
   DepthBuffer buffer(rays_per_side * image.width, rays_per_side * image.height);
   const ParticleSet seen = in_camera_frame(upright, view);
-  const Screen screen = screen_for(seen, buffer, view.zoom);
+  const Screen screen = screen_for(seen_range(seen, view), buffer, view.zoom);
   for (std::size_t k = 0; k < seen.particles.size(); ++k)
     draw_particle(buffer, screen, seen, k);
   image.samples.reserve(3 * image.width * image.height);
@@ -171,7 +202,31 @@ PixelImage draw_space(const ParticleSet& upright, const std::vector<Colour>& col
         image.samples.push_back(
             static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(sample, 0.0, 1.0))));
     }
-  return image;
+  return {std::move(image), screen.scale / rays_per_side};
+}
+
+std::string space_picture(PictureFormat format, const ParticleSet& upright,
+                          const ParticleColours& colours, const SpaceView& view,
+                          const std::string& title) {
+  const double unit = view.width / 1600.0, side = 60.0 * unit;
+  const double heading = std::ceil(64.0 * unit), footing = std::ceil(84.0 * unit); // pixels
+  SpaceView inner = view;
+  inner.height = view.height - static_cast<int>(heading + footing);
+  if (inner.height < 1)
+    throw InputError("the picture is too low for its heading and scale: choose a larger --height, "
+                     "or --bare");
+  const auto canvas = make_canvas(format, view.width, view.height);
+  const SpacePixels pixels = draw_space(upright, colours.colours, inner);
+  canvas->image({0.0, heading}, pixels.image);
+  TextStyle text;
+  text.size = 26.0 * unit;
+  canvas->text({side, 44.0 * unit}, title, text);
+  const double below = heading + inner.height + 24.0 * unit;
+  draw_scale_bar(*canvas, {side, below + 14.0 * unit}, pixels.pixels_per_length,
+                 (view.width - 2.0 * side) / pixels.pixels_per_length, unit);
+  if (colours.has_scale)
+    draw_colour_bar(*canvas, {view.width - side, below}, colours, unit);
+  return canvas->finish();
 }
 
 } // namespace ellipsoid::post

@@ -1,10 +1,12 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #pragma once
 
-#include "canvas.h"
+#include "particle_colours.h"
 #include "particles.h"
 #include "png.h"
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace ellipsoid::post {
@@ -14,6 +16,12 @@ struct SpaceView {
   double elevation_deg = 25.0;    ///< of the camera over the xy plane
   int width = 1200, height = 900; ///< pixels
   double zoom = 1.0;
+  std::optional<Box> part; ///< what is fitted into the picture; none: all particles
+};
+
+struct SpacePixels {
+  PixelImage image;
+  double pixels_per_length = 1.0;
 };
 
 /// Particles in space as shaded ellipsoids or sub-spheres, parallel projection; z points up.
@@ -21,7 +29,13 @@ struct SpaceView {
 /// OpenGL, no display); three by three rays per pixel.
 /// @param[in] colours one per particle
 /// Throws InputError when there are no particles.
-PixelImage draw_space(const ParticleSet& upright, const std::vector<Colour>& colours,
-                      const SpaceView& view);
+SpacePixels draw_space(const ParticleSet& upright, const std::vector<Colour>& colours,
+                       const SpaceView& view);
+
+/// The same with a heading, a scale bar and, where there is a scale, a colour bar.
+/// @return the file's bytes. Throws InputError for PNG in a build without cairo.
+std::string space_picture(PictureFormat format, const ParticleSet& upright,
+                          const ParticleColours& colours, const SpaceView& view,
+                          const std::string& title);
 
 } // namespace ellipsoid::post

@@ -1,6 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "svg_canvas.h"
 
+#include "base64.h"
+
 #include <cmath>
 #include <fmt/format.h>
 
@@ -50,7 +52,8 @@ std::string escaped(const std::string& words) {
 } // namespace
 
 SvgCanvas::SvgCanvas(int width, int height) {
-  m_text = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
+  m_text = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" "
+                       "xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"{0}\" height=\"{1}\" "
                        "viewBox=\"0 0 {0} {1}\" font-family=\"DejaVu Sans, Arial, sans-serif\">\n"
                        "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
                        width, height);
@@ -89,6 +92,12 @@ void SvgCanvas::text(const PixelPoint& place, const std::string& words, const Te
       "</text>\n",
       place.x, place.y, style.size, anchor, hex(style.colour),
       style.is_bold ? " font-weight=\"bold\"" : "", turn, escaped(words));
+}
+
+void SvgCanvas::image(const PixelPoint& corner, const PixelImage& pixels) {
+  m_text += fmt::format("<image x=\"{:.3f}\" y=\"{:.3f}\" width=\"{}\" height=\"{}\" "
+                        "xlink:href=\"data:image/png;base64,{}\"/>\n",
+                        corner.x, corner.y, pixels.width, pixels.height, base64(png_bytes(pixels)));
 }
 
 void SvgCanvas::begin_clip(const PixelPoint& corner, double width, double height) {

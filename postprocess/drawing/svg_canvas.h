@@ -5,7 +5,7 @@
 
 namespace ellipsoid::post {
 
-/// SVG 1.1 with ellipse, polygon, polyline and text elements, nothing else.
+/// SVG 1.1 with ellipse, polygon, polyline, text and image elements, nothing else.
 class SvgCanvas : public Canvas {
  public:
   SvgCanvas(int width, int height);
@@ -13,6 +13,7 @@ class SvgCanvas : public Canvas {
                const Style& style) override;
   void polyline(const std::vector<PixelPoint>& points, bool is_closed, const Style& style) override;
   void text(const PixelPoint& place, const std::string& words, const TextStyle& style) override;
+  void image(const PixelPoint& corner, const PixelImage& pixels) override;
   void begin_clip(const PixelPoint& corner, double width, double height) override;
   void end_clip() override;
   std::string finish() override;

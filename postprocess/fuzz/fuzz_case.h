@@ -28,7 +28,7 @@ inline int read_and_measure(const std::string& text) {
       const PileOptions options;
       const Pile pile = find_pile(set, options);
       coordination(set, pile.members, {});
-      plane_porosity(pile, options, {}, std::nullopt);
+      plane_porosity(pile, options, {}, {});
       repose_angle(pile, options, Flank::right);
     }
   } catch (const InputError&) {

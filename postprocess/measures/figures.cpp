@@ -64,6 +64,11 @@ Series series(std::string name, std::vector<ChartPoint> points, const Colour& co
   return result;
 }
 
+/// The name of a band in the legend.
+std::string with_margin_named(const std::string& name, double margin) {
+  return margin > 0.0 ? name + " ± half range" : name;
+}
+
 /// Adds the paper's values: its multi-sphere points open, its ellipse as a dashed band.
 void add_paper(Chart& chart, const std::vector<paper::Reported>& values) {
   std::vector<ChartPoint> points;
@@ -71,7 +76,8 @@ void add_paper(Chart& chart, const std::vector<paper::Reported>& values) {
     if (reported.subspheres > 0)
       points.push_back({static_cast<double>(reported.subspheres), reported.value, reported.margin});
     else
-      chart.bands.push_back({"ellipse (paper)", reported.value, reported.margin, orange, true});
+      chart.bands.push_back({with_margin_named("ellipse (paper)", reported.margin), reported.value,
+                             reported.margin, orange, true});
   }
   if (points.empty())
     return;
@@ -91,14 +97,14 @@ Chart over_subspheres(const Table& runs, const std::string& key, const std::stri
   chart.x_ticks = {1, 3, 5, 7, 9, 11, 13, 15, 17};
   const auto spreads = by_subspheres(runs, key, "true");
   if (spreads.empty())
-    throw InputError(fmt::format("no row has the columns \"subspheres\" (or surface smooth) and "
-                                 "\"{}\" for the figure",
-                                 key));
+    throw InputError(fmt::format("figure \"{}\": expected CSV files with a column \"{}\" and "
+                                 "\"subspheres\" (or \"surface\" that says smooth), {}",
+                                 title, key, columns_found(runs)));
   if (const auto points = chain_points(spreads); !points.empty())
     chart.series.push_back(series("MS (this work)", points, blue, Marker::circle));
   if (const auto smooth = spreads.find(0); smooth != spreads.end())
-    chart.bands.push_back(
-        {"ellipse (this work)", smooth->second.mean, smooth->second.half_range, blue, false});
+    chart.bands.push_back({with_margin_named("ellipse (this work)", smooth->second.half_range),
+                           smooth->second.mean, smooth->second.half_range, blue, false});
   add_paper(chart, reported);
   double largest = 17.0;
   for (const auto& [subspheres, spread] : spreads)
@@ -111,11 +117,13 @@ Chart over_subspheres(const Table& runs, const std::string& key, const std::stri
   return chart;
 }
 
+constexpr int largest_in_figure_5 = 55; ///< sub-spheres; the finest chain of figure 4
+
 /// Ratios of a template's measures to the ellipse's over N for one aspect ratio.
 Series template_ratio(double aspect, double MultisphereMeasures::*ratio, const Colour& colour,
                       Marker marker) {
   Series result = series(fmt::format("s = {:g}", aspect), {}, colour, marker);
-  for (int count = 3; count <= 25; count += 2) {
+  for (int count = 3; count <= largest_in_figure_5; count += 2) {
     if (count > 3 && count < smallest_overlapping_count(aspect))
       continue;
     if (count == 3 && aspect > 3.0) // N = 3 exists up to a = 3 b
@@ -143,7 +151,11 @@ std::vector<Chart> figure_5() {
     perimeter.series.push_back(
         template_ratio(aspect, &MultisphereMeasures::perimeter_ratio, colour, markers[k]));
   }
-  area.x_ticks = perimeter.x_ticks = {3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25};
+  area.x_ticks = perimeter.x_ticks = {3, 7, 11, 15, 19, 23, 27, 31, 35, 39, 43, 47, 51, 55};
+  Series reported = series("paper: N = 13 at s = 2.35", {{13.0, 0.99, 0.0}}, dark, Marker::square);
+  reported.is_joined = false;
+  reported.is_filled = false;
+  area.series.push_back(std::move(reported));
   area.bands.push_back({"1 % below the ellipse", 0.99, 0.0, dark, true});
   return {area, perimeter};
 }
@@ -220,6 +232,14 @@ std::vector<Chart> figure_15(const Table& runs, double aspect) {
 
 const std::vector<int> known_figures = {5, 12, 13, 15, 17, 18};
 
+const std::vector<std::string> figure_columns = {"subspheres",
+                                                 "repose_angle_deg",
+                                                 "porosity",
+                                                 "zpp",
+                                                 "zss",
+                                                 "relative_cpu_time",
+                                                 "potential_contacts_per_particle"};
+
 Table compared_with_paper(const Table& runs) {
   struct Compared {
     std::string key, name, unit;
@@ -247,7 +267,8 @@ Table compared_with_paper(const Table& runs) {
              {"paper", "paper", "", with_margin(r.value, r.margin)},
              {"here", "here", "", with_margin(s.mean, s.half_range)},
              {"runs", "runs", "", static_cast<std::int64_t>(s.count)},
-             {"difference_percent", "difference", "%", 100.0 * (s.mean / r.value - 1.0)}});
+             {"difference_percent", "difference", "%",
+              fmt::format("{:+.1f}", 100.0 * (s.mean / r.value - 1.0))}});
       }
   }
   return table;

@@ -11,6 +11,9 @@ namespace ellipsoid::post {
 /// Figures of the paper that can be drawn: 5, 12, 13, 15, 17, 18.
 extern const std::vector<int> known_figures;
 
+/// Columns of numbers that the figures are drawn from.
+extern const std::vector<std::string> figure_columns;
+
 /// The paper's values of piles beside those of the runs: one row per quantity and number of
 /// sub-spheres that the paper reports and a run has.
 Table compared_with_paper(const Table& runs);

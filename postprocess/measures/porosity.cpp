@@ -3,16 +3,17 @@
 
 #include "union_area.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ellipsoid::post {
 namespace {
 
-const ReposeAngle& needed(const std::optional<ReposeAngle>& angle) {
-  if (!angle)
+void require(const std::vector<ReposeAngle>& flanks) {
+  if (flanks.empty())
     throw InputError("the regions middle and core need the fitted line A-B, but the free surface "
                      "could not be fitted; use --region whole");
-  return *angle;
 }
 
 /// Everything between two abscissas above the floor.
@@ -24,28 +25,44 @@ ConvexPolygon strip(const Pile& pile, double floor, double x0, double x1) {
 }
 
 ConvexPolygon core(const Pile& pile, const PileOptions& options, double margin,
-                   const ReposeAngle& angle) {
-  const double inner = options.wall ? pile.left + margin : angle.a.x();
+                   const std::vector<ReposeAngle>& flanks) {
+  const double inner = options.wall ? pile.left + margin : pile.left;
   ConvexPolygon region = strip(pile, options.floor + margin, inner, pile.right);
-  // below the line y = intercept + slope x, moved down by the margin across it
-  const double slope = angle.line.slope, length = std::hypot(1.0, slope);
-  const Point upward(-slope / length, 1.0 / length);
-  return clipped(region, upward, angle.line.intercept / length - margin);
+  for (const ReposeAngle& flank : flanks) {
+    // below the line y = intercept + slope x, moved down by the margin across it
+    const double slope = flank.line.slope, length = std::hypot(1.0, slope);
+    const Point upward(-slope / length, 1.0 / length);
+    region = clipped(region, upward, flank.line.intercept / length - margin);
+  }
+  return region;
+}
+
+/// Abscissas between which the region lies.
+std::pair<double, double> extent(const Pile& pile, PorosityRegion region,
+                                 const std::vector<ReposeAngle>& flanks) {
+  if (region == PorosityRegion::whole)
+    return {pile.left, pile.right};
+  double left = pile.right, right = pile.left;
+  for (const ReposeAngle& flank : flanks) {
+    left = std::min({left, flank.a.x(), flank.b.x()});
+    right = std::max({right, flank.a.x(), flank.b.x()});
+  }
+  return {left, right};
 }
 
 } // namespace
 
 Porosity plane_porosity(const Pile& pile, const PileOptions& pile_options,
-                        const PorosityOptions& options, const std::optional<ReposeAngle>& angle) {
+                        const PorosityOptions& options, const std::vector<ReposeAngle>& flanks) {
+  if (options.region != PorosityRegion::whole)
+    require(flanks);
   ConvexPolygon region;
   Porosity result;
   if (options.region == PorosityRegion::core) {
-    region = core(pile, pile_options, options.margin * pile.mean_a, needed(angle));
+    region = core(pile, pile_options, options.margin * pile.mean_a, flanks);
     result.total_area = polygon_area(region);
   } else {
-    const bool is_whole = options.region == PorosityRegion::whole;
-    const double x0 = is_whole ? pile.left : std::min(needed(angle).a.x(), angle->b.x());
-    const double x1 = is_whole ? pile.right : std::max(angle->a.x(), angle->b.x());
+    const auto [x0, x1] = extent(pile, options.region, flanks);
     region = strip(pile, pile_options.floor, x0, x1);
     result.total_area = pile.surface.area(x0, x1);
   }

@@ -4,15 +4,15 @@
 #include "pile.h"
 #include "repose.h"
 
-#include <optional>
+#include <vector>
 
 namespace ellipsoid::post {
 
 /// Which part of the pile is looked at.
 enum class PorosityRegion {
   whole,  ///< between wall, floor and free surface over the pile's whole extent
-  middle, ///< the same, but only between the abscissas of A and B
-  core,   ///< at least `margin` away from wall and floor and below the fitted line A-B
+  middle, ///< the same, but only between the abscissas of A and B (both B of a two-sided pile)
+  core,   ///< at least `margin` away from wall and floor and below the fitted lines A-B
 };
 
 struct PorosityOptions {
@@ -30,9 +30,9 @@ struct Porosity {
 };
 
 /// In-plane porosity (paper, section 4.2.2), exact for the outlines of `pile`.
-/// @param[in] angle needed for the regions middle and core (one-sided piles)
+/// @param[in] flanks needed for the regions middle and core: the one beside the wall, or both
 /// Throws InputError when the region is empty.
 Porosity plane_porosity(const Pile& pile, const PileOptions& pile_options,
-                        const PorosityOptions& options, const std::optional<ReposeAngle>& angle);
+                        const PorosityOptions& options, const std::vector<ReposeAngle>& flanks);
 
 } // namespace ellipsoid::post

@@ -4,9 +4,11 @@
 #include "csv_table.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
+#include <tuple>
 
 namespace ellipsoid::post {
 namespace {
@@ -26,6 +28,18 @@ std::string label_of(const Value* value) {
   return text ? *text : "-";
 }
 
+/// Numbers as numbers, and before words.
+bool comes_before(const Quantity& p, const Quantity& q) {
+  const auto ranked = [](const Quantity& label) {
+    const std::string text = std::get<std::string>(label.value);
+    double number = 0.0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool is_word = result.ec != std::errc() || result.ptr != text.data() + text.size();
+    return std::make_tuple(is_word, is_word ? 0.0 : number, text);
+  };
+  return ranked(p) < ranked(q);
+}
+
 std::vector<Group> groups_of(const Table& runs, const std::vector<std::string>& keys) {
   std::vector<Group> groups;
   for (const Row& row : runs.rows) {
@@ -41,6 +55,10 @@ std::vector<Group> groups_of(const Table& runs, const std::vector<std::string>& 
     else
       groups.push_back({std::move(group_keys), {&row}});
   }
+  std::stable_sort(groups.begin(), groups.end(), [](const Group& p, const Group& q) {
+    return std::lexicographical_compare(p.keys.begin(), p.keys.end(), q.keys.begin(), q.keys.end(),
+                                        comes_before);
+  });
   return groups;
 }
 

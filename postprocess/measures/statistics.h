@@ -21,7 +21,8 @@ Spread spread_of(const std::vector<double>& values);
 
 /// One row per group: the group's keys, the number of runs, and for each quantity mean, half
 /// range, half range in percent of the mean, standard deviation, lowest and highest value.
-/// Rows without one of the group's keys form a group of their own ("-").
+/// Rows without one of the group's keys form a group of their own ("-"). Groups are in the order
+/// of their keys, numbers as numbers.
 /// @param[in] quantities keys; those that no row has as a number are left out
 Table summary_of(const Table& runs, const std::vector<std::string>& group_keys,
                  const std::vector<std::string>& quantities);

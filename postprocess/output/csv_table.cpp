@@ -4,8 +4,10 @@
 #include "byte_source.h"
 #include "input_error.h"
 
+#include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
+#include <iterator>
 
 namespace ellipsoid::post {
 namespace {
@@ -43,9 +45,7 @@ Value value_of(const std::string& field) {
   return field;
 }
 
-} // namespace
-
-Table read_csv(const std::string& path) {
+Table table_of(const std::string& path, const std::vector<std::string>& number_columns) {
   LineReader lines(open_bytes(path), path);
   std::string_view line;
   if (!lines.next(line) || line.empty())
@@ -60,11 +60,35 @@ Table read_csv(const std::string& path) {
       throw InputError(fmt::format("{}:{}: expected {} fields, found {}", path, lines.line_number(),
                                    keys.size(), fields.size()));
     Row row;
-    for (std::size_t k = 0; k < keys.size(); ++k)
+    for (std::size_t k = 0; k < keys.size(); ++k) {
       row.push_back({keys[k], keys[k], "", value_of(fields[k])});
+      if (std::holds_alternative<std::string>(row.back().value) &&
+          std::find(number_columns.begin(), number_columns.end(), keys[k]) != number_columns.end())
+        throw unexpected({path, lines.line_number(), 0},
+                         fmt::format("a number in column \"{}\"", keys[k]), quoted(fields[k]));
+    }
     table.rows.push_back(std::move(row));
   }
   return table;
+}
+
+} // namespace
+
+Table read_csv_files(const std::vector<std::string>& paths,
+                     const std::vector<std::string>& number_columns) {
+  Table all;
+  for (const std::string& path : paths) {
+    Table table = table_of(path, number_columns);
+    std::move(table.rows.begin(), table.rows.end(), std::back_inserter(all.rows));
+  }
+  return all;
+}
+
+std::string columns_found(const Table& table) {
+  std::string text;
+  for (const Quantity& q : table.header())
+    text += (text.empty() ? "found only: " : ", ") + q.key;
+  return text.empty() ? "found no rows" : text;
 }
 
 bool as_number(const Value& value, double& number) {

@@ -3,12 +3,21 @@
 
 #include "table.h"
 
+#include <string>
+#include <vector>
+
 namespace ellipsoid::post {
 
-/// Reads a CSV file (comma, first line the keys, fields may be quoted) as a table: whole-token
-/// numbers become numbers, empty fields are missing, all else is text.
-/// Throws InputError for a missing file, an empty header, a row with another number of fields.
-Table read_csv(const std::string& path);
+/// The rows of CSV files (comma, first line the keys, fields may be quoted), one file after the
+/// other: whole-token numbers become numbers, empty fields are missing, all else is text.
+/// @param[in] number_columns columns that hold numbers or nothing
+/// Throws InputError for a missing file, an empty header, a row with another number of fields, a
+/// word in a column of numbers.
+Table read_csv_files(const std::vector<std::string>& paths,
+                     const std::vector<std::string>& number_columns);
+
+/// The keys of a table as text: "found only: a, b, c".
+std::string columns_found(const Table& table);
 
 /// A value as a number, or nothing.
 bool as_number(const Value& value, double& number);

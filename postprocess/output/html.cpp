@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 namespace ellipsoid::post {
+
 std::string html_safe(const std::string& text) {
   std::string safe;
   for (const char letter : text) {
@@ -23,22 +24,54 @@ std::string html_safe(const std::string& text) {
   return safe;
 }
 
+namespace {
+
+std::string named(const Quantity& q) {
+  return html_safe(q.name) + (q.unit.empty() ? "" : " [" + html_safe(q.unit) + "]");
+}
+
+std::string cell(const Row& row, const std::string& key) {
+  const Value* value = find_value(row, key);
+  std::string text = html_safe(value ? shown(*value) : "-");
+  if (const auto place = text.find(" +- "); place != std::string::npos)
+    text.replace(place, 4, " ± ");
+  return text;
+}
+
+/// One line of a table; `tag` is th or td.
+std::string line_of(const char* tag, const std::vector<std::string>& cells) {
+  std::string text = "<tr>";
+  for (const std::string& words : cells)
+    text += fmt::format("<{0}>{1}</{0}>", tag, words);
+  return text + "</tr>\n";
+}
+
+} // namespace
+
 std::string html_table(const Table& table) {
+  std::vector<std::string> cells;
   const auto header = table.header();
-  std::string text = "<table>\n<tr>";
   for (const Quantity& q : header)
-    text += fmt::format("<th>{}{}</th>", html_safe(q.name),
-                        q.unit.empty() ? "" : " [" + html_safe(q.unit) + "]");
-  text += "</tr>\n";
+    cells.push_back(named(q));
+  std::string text = "<table>\n" + line_of("th", cells);
   for (const Row& row : table.rows) {
-    text += "<tr>";
-    for (const Quantity& q : header) {
-      const Value* value = find_value(row, q.key);
-      text += "<td>" + html_safe(value ? shown(*value) : "-") + "</td>";
-    }
-    text += "</tr>\n";
+    cells.clear();
+    for (const Quantity& q : header)
+      cells.push_back(cell(row, q.key));
+    text += line_of("td", cells);
   }
   return text + "</table>\n";
+}
+
+std::string html_table_beside(const Table& table, const std::string& row_key) {
+  std::string text = "<table>\n", lines;
+  for (const Quantity& q : table.header()) {
+    std::vector<std::string> cells = {named(q)};
+    for (const Row& row : table.rows)
+      cells.push_back(cell(row, q.key));
+    (q.key == row_key ? text : lines) += line_of(q.key == row_key ? "th" : "td", cells);
+  }
+  return text + lines + "</table>\n";
 }
 
 std::string html_picture(const std::string& svg, const std::string& description) {

@@ -64,7 +64,8 @@ std::string vertical(const Row& row) {
   std::size_t name_width = 0, value_width = 0;
   for (const Quantity& q : row) {
     name_width = std::max(name_width, q.name.size());
-    value_width = std::max(value_width, shown(q.value).size());
+    if (!q.unit.empty()) // long words without a unit do not push the units away
+      value_width = std::max(value_width, shown(q.value).size());
   }
   std::string text;
   for (const Quantity& q : row) {
@@ -106,6 +107,34 @@ std::string beside(const Table& table, const std::vector<Quantity>& header, std:
   return aligned(lines);
 }
 
+constexpr const char* run_key = "run";
+
+/// The run that all rows belong to, or nothing.
+std::string only_run(const Table& table) {
+  std::string run;
+  for (const Row& row : table.rows) {
+    const Value* value = find_value(row, run_key);
+    const std::string name = value ? shown(*value) : "";
+    if (name.empty() || (!run.empty() && name != run))
+      return "";
+    run = name;
+  }
+  return run;
+}
+
+/// Several rows: a line for each, or side by side where that is too wide.
+std::string in_columns(const Table& table, const std::vector<Quantity>& header) {
+  constexpr std::size_t side_by_side = 6, few = 12, widest = 120; // rows, rows, letters
+  const std::string wide = across(table.rows, header);
+  if (table.rows.size() > few || wide.find('\n') <= widest)
+    return wide;
+  std::string text;
+  for (std::size_t first = 0; first < table.rows.size(); first += side_by_side)
+    text += (first > 0 ? "\n" : "") +
+            beside(table, header, first, std::min(first + side_by_side, table.rows.size()));
+  return text;
+}
+
 } // namespace
 
 std::string shown(const Value& value) {
@@ -135,18 +164,18 @@ const Value* find_value(const Row& row, const std::string& key) {
 }
 
 std::string as_text(const Table& table) {
-  std::string text = table.title.empty() ? "" : table.title + "\n";
+  std::vector<Quantity> header = table.header();
+  std::string title = table.title;
+  if (const std::string run = only_run(table); !run.empty() && table.rows.size() > 1) {
+    title += ": " + run;
+    header.erase(std::remove_if(header.begin(), header.end(),
+                                [](const Quantity& q) { return q.key == run_key; }),
+                 header.end());
+  }
+  const std::string text = title.empty() ? "" : title + "\n";
   if (table.rows.size() == 1)
     return text + vertical(table.rows.front());
-  const std::vector<Quantity> header = table.header();
-  constexpr std::size_t side_by_side = 6, few = 12, widest = 120; // rows, rows, letters
-  const std::string wide = across(table.rows, header);
-  if (table.rows.size() > few || wide.find('\n') <= widest)
-    return text + wide;
-  for (std::size_t first = 0; first < table.rows.size(); first += side_by_side)
-    text += (first > 0 ? "\n" : "") +
-            beside(table, header, first, std::min(first + side_by_side, table.rows.size()));
-  return text;
+  return text + in_columns(table, header);
 }
 
 std::string as_csv(const Table& table) {

@@ -31,7 +31,8 @@ struct Table {
   std::vector<Quantity> header() const;
 };
 
-/// One row: a line per quantity. Several rows: a column per quantity.
+/// One row: a line per quantity. Several rows: a column per quantity; a run that is the same in
+/// all of them stands in the title.
 std::string as_text(const Table& table);
 /// First line the keys; numbers with all digits; missing values empty.
 std::string as_csv(const Table& table);

@@ -1,6 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "template_files.h"
 
+#include "ellipsoid_properties.h"
+
 #include <cmath>
 #include <fmt/format.h>
 
@@ -67,11 +69,25 @@ std::string host_multisphere_file(const MultisphereTemplate& chain) {
   return text;
 }
 
-std::string molecule_file(const MultisphereTemplate& chain) {
+std::string host_multisphere_words(const MultisphereTemplate& chain, const std::string& file,
+                                   double mass) {
+  const Vector3 moments = principal_moments({chain.a, chain.b, chain.b}, mass);
+  return fmt::format(
+      "nspheres {} ntry 100000 spheres file {} scale 1.0 type 1 mass {} inertia_tensor {} 0 0 {} "
+      "0 {} use_density",
+      chain.count(), file, mass, moments.x, moments.y, moments.z);
+}
+
+std::string molecule_file(const MultisphereTemplate& chain, double mass) {
   std::string text =
-      fmt::format("multi-sphere ellipsoid a = {} b = {} N = {} ({})\n\n{} atoms\n\n"
-                  "Coords\n\n",
-                  chain.a, chain.b, chain.count(), word_of(chain.spacing), chain.count());
+      fmt::format("multi-sphere ellipsoid a = {} b = {} N = {} ({})\n\n{} atoms\n", chain.a,
+                  chain.b, chain.count(), word_of(chain.spacing), chain.count());
+  if (mass > 0.0) {
+    const Vector3 moments = principal_moments({chain.a, chain.b, chain.b}, mass);
+    text += fmt::format("{} mass\n0 0 0 com\n{} {} {} 0 0 0 inertia\n", mass, moments.x, moments.y,
+                        moments.z);
+  }
+  text += "\nCoords\n\n";
   for (std::size_t k = 0; k < chain.centres.size(); ++k)
     text += fmt::format("{} {} 0 0\n", k + 1, chain.centres[k]);
   text += "\nTypes\n\n";

@@ -11,8 +11,15 @@ namespace ellipsoid::post {
 /// Lines "x y z r" for the host's `fix particletemplate/multisphere ... file NAME`.
 std::string host_multisphere_file(const MultisphereTemplate& chain);
 
+/// What stands beside that file in the host's command: a body of `mass` with the principal moments
+/// of the solid ellipsoid.
+std::string host_multisphere_words(const MultisphereTemplate& chain, const std::string& file,
+                                   double mass);
+
 /// A LAMMPS molecule file: one atom per sphere with its diameter, as for `fix rigid/small mol`.
-std::string molecule_file(const MultisphereTemplate& chain);
+/// @param[in] mass of the body; its centre and moments (the solid ellipsoid's) are written as well,
+///            because LAMMPS would count the overlaps twice. 0: none of them
+std::string molecule_file(const MultisphereTemplate& chain, double mass);
 
 /// Columns index, x_m, y_m, z_m, radius_m.
 std::string spheres_csv(const MultisphereTemplate& chain);

@@ -15,7 +15,7 @@ namespace {
 
 class PlainFile : public ByteSource {
  public:
-  PlainFile(std::FILE* file, std::string path) : m_file(file), m_path(std::move(path)) {}
+  explicit PlainFile(std::FILE* file) : m_file(file) {}
   ~PlainFile() override {
     if (m_file != stdin)
       std::fclose(m_file);
@@ -26,7 +26,7 @@ class PlainFile : public ByteSource {
   std::size_t read(char* buffer, std::size_t size) override {
     const std::size_t got = std::fread(buffer, 1, size, m_file);
     if (got < size && std::ferror(m_file))
-      throw InputError(fmt::format("{}: cannot be read: {}", m_path, std::strerror(errno)));
+      throw InputError(fmt::format("a file that cannot be read ({})", std::strerror(errno)));
     m_consumed += got;
     return got;
   }
@@ -34,7 +34,6 @@ class PlainFile : public ByteSource {
 
  private:
   std::FILE* m_file;
-  std::string m_path;
   std::uint64_t m_consumed = 0;
 };
 
@@ -50,9 +49,12 @@ class GzipFile : public ByteSource {
   std::size_t read(char* buffer, std::size_t size) override {
     const int got = gzread(m_file, buffer, static_cast<unsigned>(size));
     int code = Z_OK;
-    const char* reason = gzerror(m_file, &code);
-    if (got < 0 || (code != Z_OK && code != Z_STREAM_END && got == 0))
-      throw InputError(fmt::format("{}: the gzip data are broken or cut off: {}", m_path, reason));
+    std::string reason = gzerror(m_file, &code);
+    if (got < 0 || (code != Z_OK && code != Z_STREAM_END && got == 0)) {
+      if (reason.rfind(m_path + ": ", 0) == 0)
+        reason.erase(0, m_path.size() + 2);
+      throw InputError(fmt::format("gzip data that are broken or cut off ({})", reason));
+    }
     return static_cast<std::size_t>(got);
   }
   std::uint64_t consumed() const override { return static_cast<std::uint64_t>(gzoffset(m_file)); }
@@ -88,7 +90,7 @@ bool starts_like_gzip(std::FILE* file) {
 
 std::unique_ptr<ByteSource> open_bytes(const std::string& path) {
   if (path == "-")
-    return std::make_unique<PlainFile>(stdin, "standard input");
+    return std::make_unique<PlainFile>(stdin);
   struct stat status {};
   if (stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode))
     throw InputError(fmt::format("{}: is a directory; give the dump files in it", path));
@@ -97,7 +99,7 @@ std::unique_ptr<ByteSource> open_bytes(const std::string& path) {
     throw InputError(fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
   // a pipe cannot be rewound: it is taken as plain text
   if (!S_ISREG(status.st_mode) || !starts_like_gzip(file))
-    return std::make_unique<PlainFile>(file, path);
+    return std::make_unique<PlainFile>(file);
   std::fclose(file);
   gzFile compressed = gzopen(path.c_str(), "rb");
   if (!compressed)
@@ -120,7 +122,12 @@ bool LineReader::refill() {
   m_begin = 0;
   if (m_end + 1 == m_buffer.size())
     m_buffer.resize(2 * m_buffer.size());
-  const std::size_t got = m_source->read(m_buffer.data() + m_end, m_buffer.size() - m_end - 1);
+  std::size_t got = 0;
+  try {
+    got = m_source->read(m_buffer.data() + m_end, m_buffer.size() - m_end - 1);
+  } catch (const InputError& error) {
+    throw BrokenLine(next_place(), "more data", error.what());
+  }
   m_end += got;
   m_buffer[m_end] = '\n';
   m_at_end = got == 0;
@@ -134,8 +141,7 @@ bool LineReader::take(std::size_t length, std::size_t skipped, std::string_view&
   if (!line.empty() && line.back() == '\r')
     line.remove_suffix(1);
   if (!line.empty() && std::memchr(line.data(), '\0', line.size()))
-    throw InputError(fmt::format("{}:{}: a NUL byte: this is binary data, expected a text dump",
-                                 m_name, m_line_number));
+    throw BrokenLine({m_name, m_line_number, 0}, "text", "a NUL byte: these are binary data");
   return true;
 }
 
@@ -149,8 +155,8 @@ bool LineReader::next(std::string_view& line) {
     if (newline)
       return take(static_cast<std::size_t>(static_cast<const char*>(newline) - begin), 1, line);
     if (held > longest_line)
-      throw InputError(fmt::format("{}:{}: a line of more than {} bytes: expected a text dump",
-                                   m_name, m_line_number + 1, longest_line));
+      throw BrokenLine(next_place(), "lines of text",
+                       fmt::format("a line of more than {} bytes", longest_line));
     searched = held;
     if (!refill())
       return m_end > m_begin && take(m_end - m_begin, 0, line);

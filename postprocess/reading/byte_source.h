@@ -3,6 +3,8 @@
 // Bytes and lines of plain or gzip files, in constant memory.
 #pragma once
 
+#include "input_error.h"
+
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -16,7 +18,7 @@ class ByteSource {
  public:
   virtual ~ByteSource() = default;
   /// Fills up to `size` bytes; 0 means the end. Throws InputError when the device or the
-  /// compressed data are broken.
+  /// compressed data are broken; its text says what was found.
   virtual std::size_t read(char* buffer, std::size_t size) = 0;
   /// Bytes of the file on disk that have been consumed so far (for the progress bar).
   virtual std::uint64_t consumed() const = 0;
@@ -36,8 +38,8 @@ class LineReader {
   LineReader(std::unique_ptr<ByteSource> source, std::string name);
 
   /// The next line without its end; false at the end of the file. The view is valid until the
-  /// next call; the byte behind it is readable and ends a line. Throws InputError for a line that
-  /// is too long or holds a NUL byte (binary data).
+  /// next call; the byte behind it is readable and ends a line. Throws BrokenLine for a line that
+  /// is too long or holds a NUL byte (binary data), and for a source that is broken.
   bool next(std::string_view& line);
 
   /// Number of the line that `next` gave last, from 1.
@@ -47,6 +49,7 @@ class LineReader {
 
  private:
   bool refill();
+  FilePlace next_place() const { return {m_name, m_line_number + 1, 0}; }
   bool take(std::size_t length, std::size_t skipped, std::string_view& line);
 
   std::unique_ptr<ByteSource> m_source;

@@ -94,13 +94,20 @@ NumberedName numbered(const std::string& path) {
 }
 
 /// Whether the number in a file's name is the time step of its first frame (VTK files do not
-/// tell: yes).
+/// tell: yes). A file that cannot be read is reported when its frames are.
 bool names_its_step(const std::string& path, const std::string& number) {
   if (is_vtk_name(path))
     return true;
-  std::string_view line;
-  LineReader lines(open_bytes(path), path);
-  return lines.next(line) && line == "ITEM: TIMESTEP" && lines.next(line) && line == number;
+  try {
+    std::string_view line;
+    LineReader lines(open_bytes(path), path);
+    while (lines.next(line) && (line == "ITEM: UNITS" || line == "ITEM: TIME"))
+      if (!lines.next(line))
+        return false;
+    return line == "ITEM: TIMESTEP" && lines.next(line) && line == number;
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 } // namespace

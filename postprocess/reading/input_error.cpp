@@ -7,9 +7,18 @@ namespace ellipsoid::post {
 
 InputError unexpected(const FilePlace& place, const std::string& expected,
                       const std::string& found) {
-  return InputError(fmt::format("{}:{}: frame {}: expected {}, found {}", place.file, place.line,
-                                place.frame, expected, found));
+  std::string text = place.file + ":";
+  if (place.line > 0)
+    text += fmt::format("{}:", place.line);
+  if (place.frame > 0)
+    text += fmt::format(" frame {}:", place.frame);
+  return InputError(fmt::format("{} expected {}, found {}", text, expected, found));
 }
+
+BrokenLine::BrokenLine(const FilePlace& where, const std::string& what_expected,
+                       const std::string& what_found)
+    : InputError(unexpected(where, what_expected, what_found)), place(where),
+      expected(what_expected), found(what_found) {}
 
 std::string quoted(const std::string& text) {
   constexpr std::size_t longest = 40;

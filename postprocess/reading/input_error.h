@@ -20,9 +20,19 @@ struct FilePlace {
   std::size_t frame = 0;
 };
 
-/// "FILE:LINE: frame K: expected E, found F".
+/// "FILE:LINE: frame K: expected E, found F"; without line or frame where they are 0.
 InputError unexpected(const FilePlace& place, const std::string& expected,
                       const std::string& found);
+
+/// Bytes that cannot be split into lines; which frame they belong to the reader of lines does not
+/// know.
+class BrokenLine : public InputError {
+ public:
+  BrokenLine(const FilePlace& where, const std::string& what_expected,
+             const std::string& what_found);
+  const FilePlace place;
+  const std::string expected, found;
+};
 
 /// The text for a message: shortened, control characters made visible.
 std::string quoted(const std::string& text);

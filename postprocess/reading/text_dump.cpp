@@ -47,6 +47,13 @@ bool starts_with(std::string_view text, std::string_view beginning) {
   return text.substr(0, beginning.size()) == beginning;
 }
 
+/// The text without blanks at its end.
+std::string_view without_blanks(std::string_view text) {
+  while (!text.empty() && is_blank(text.back()))
+    text.remove_suffix(1);
+  return text;
+}
+
 bool is_text_column(std::string_view name) {
   return std::find(text_columns.begin(), text_columns.end(), name) != text_columns.end();
 }
@@ -66,9 +73,20 @@ InputError TextDumpReader::cut_off(const std::string& expected) const {
   return unexpected(place, expected, "the end of the file (the last frame is cut off)");
 }
 
+/// A line that cannot be read is one of the frame.
+bool TextDumpReader::next_line(std::string_view& line) {
+  try {
+    return m_lines.next(line);
+  } catch (const BrokenLine& broken) {
+    FilePlace place = broken.place;
+    place.frame = m_frame;
+    throw unexpected(place, broken.expected, broken.found);
+  }
+}
+
 std::string_view TextDumpReader::line_of(const char* expected) {
   std::string_view line;
-  if (!m_lines.next(line))
+  if (!next_line(line))
     throw cut_off(expected);
   return line;
 }
@@ -118,7 +136,7 @@ bool TextDumpReader::read_section(Frame& frame, std::string_view title) {
     std::string_view rest = line_of("the time");
     frame.time = number(next_token(rest), "the time, a number");
   } else if (starts_with(title, "UNITS")) {
-    frame.units = line_of("the unit system");
+    m_units = line_of("the unit system");
   } else {
     frame.names = tokens_of(title);
     if (frame.names.size() < 2 || frame.names.size() > most_columns)
@@ -136,8 +154,6 @@ void TextDumpReader::read_header(Frame& frame) {
   const char* timestep_wanted = "the time step, a whole number";
   std::string_view rest = line_of(timestep_wanted);
   frame.timestep = integer(next_token(rest), timestep_wanted);
-  frame.time.reset();
-  frame.units.clear();
   constexpr std::size_t no_count = static_cast<std::size_t>(-1);
   frame.rows = no_count;
   for (;;) {
@@ -149,6 +165,7 @@ void TextDumpReader::read_header(Frame& frame) {
   }
   if (frame.rows == no_count)
     throw unexpected(here(), "\"ITEM: NUMBER OF ATOMS\" before the rows", "none");
+  frame.units = m_units;
 }
 
 /// False when the line is no row of numbers.
@@ -204,7 +221,7 @@ void TextDumpReader::read_rows(Frame& frame) {
         frame.columns[k].resize(m_is_text[k] ? 0 : held);
     }
     std::string_view line;
-    const bool more = m_lines.next(line);
+    const bool more = next_line(line);
     if (!more || starts_with(line, "ITEM:")) {
       const std::string expected = fmt::format("row {} of {}", row + 1, frame.rows);
       throw more ? unexpected(here(), expected, quoted(std::string(line))) : cut_off(expected);
@@ -216,15 +233,26 @@ void TextDumpReader::read_rows(Frame& frame) {
     column.resize(std::min(column.size(), frame.rows));
 }
 
+/// From a frame's first line to "ITEM: TIMESTEP"; units and time may stand before it.
+void TextDumpReader::read_preamble(Frame& frame, std::string_view line) {
+  frame.time.reset();
+  constexpr const char* expected = "\"ITEM: TIMESTEP\"";
+  while (without_blanks(line) != "ITEM: TIMESTEP") {
+    if (without_blanks(line) != "ITEM: UNITS" && without_blanks(line) != "ITEM: TIME")
+      throw unexpected(here(), expected, quoted(std::string(line)));
+    read_section(frame, line.substr(std::string_view("ITEM: ").size()));
+    line = line_of(expected);
+  }
+}
+
 bool TextDumpReader::next(Frame& frame) {
+  ++m_frame;
   std::string_view line;
   do { // blank lines between frames, as when files are joined
-    if (!m_lines.next(line))
+    if (!next_line(line))
       return false;
-  } while (line.find_first_not_of(" \t") == std::string_view::npos);
-  ++m_frame;
-  if (!starts_with(line, "ITEM: TIMESTEP"))
-    throw unexpected(here(), "\"ITEM: TIMESTEP\"", quoted(std::string(line)));
+  } while (without_blanks(line).empty());
+  read_preamble(frame, line);
   frame.place = here();
   read_header(frame);
   frame.place.line = m_lines.line_number() + 1;

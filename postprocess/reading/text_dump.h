@@ -29,12 +29,14 @@ class TextDumpReader : public FrameReader {
 
  private:
   void read_header(Frame& frame);
+  void read_preamble(Frame& frame, std::string_view line);
   bool read_section(Frame& frame, std::string_view title);
   void read_box(Frame& frame, std::string_view title);
   void read_rows(Frame& frame);
   bool read_row(Frame& frame, std::string_view line, std::size_t row) const;
   InputError refused_row(const Frame& frame, std::string_view line, std::size_t row) const;
   InputError cut_off(const std::string& expected) const;
+  bool next_line(std::string_view& line);
   std::string_view line_of(const char* expected);
   double number(std::string_view token, const char* expected) const;
   std::int64_t integer(std::string_view token, const char* expected) const;
@@ -42,6 +44,7 @@ class TextDumpReader : public FrameReader {
 
   LineReader m_lines;
   std::size_t m_frame = 0;
+  std::string m_units;         ///< stated once for all frames that follow
   std::vector<char> m_is_text; ///< by column
 };
 

@@ -3,6 +3,7 @@
 
 #include "quaternion_of_matrix.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
@@ -11,7 +12,7 @@
 #include <vtkDataArray.h>
 #include <vtkDataSetReader.h>
 #include <vtkLogger.h>
-#include <vtkObject.h>
+#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkSmartPointer.h>
@@ -27,25 +28,51 @@ bool ends_with(const std::string& text, const std::string& ending) {
          text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
 }
 
-/// VTK would print many lines of its own about a broken file; the error here is one line.
-class QuietVtk {
+/// VTK would print many lines of its own about a broken file; what it says is kept instead.
+class KeptMessages : public vtkOutputWindow {
  public:
-  QuietVtk()
-      : m_was(vtkObject::GetGlobalWarningDisplay()),
-        m_verbosity(vtkLogger::GetCurrentVerbosityCutoff()) {
-    vtkObject::GlobalWarningDisplayOff();
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  static KeptMessages* New() { return new KeptMessages; }
+  void DisplayText(const char*) override {}
+  void DisplayErrorText(const char* text) override {
+    if (m_first.empty())
+      m_first = text;
   }
-  ~QuietVtk() {
-    vtkObject::SetGlobalWarningDisplay(m_was);
-    vtkLogger::SetStderrVerbosity(m_verbosity);
+  /// The sentence of the first error, or nothing: "ERROR: In F, line L\nvtkClass (0x1): sentence".
+  std::string first_error() const {
+    const std::size_t object = m_first.find("): ");
+    const std::size_t begin = object == std::string::npos ? 0 : object + 3;
+    std::string sentence = m_first.substr(begin, m_first.find('\n', begin) - begin);
+    std::replace_if(
+        sentence.begin(), sentence.end(), [](char letter) { return letter < ' ' || letter > '~'; },
+        '?');
+    return sentence;
   }
-  QuietVtk(const QuietVtk&) = delete;
-  QuietVtk& operator=(const QuietVtk&) = delete;
 
  private:
-  int m_was;
-  vtkLogger::Verbosity m_verbosity;
+  std::string m_first;
+};
+
+/// As long as it lives, messages of VTK go to `kept`.
+class ListenToVtk {
+ public:
+  ListenToVtk()
+      : kept(vtkSmartPointer<KeptMessages>::New()), m_before(vtkOutputWindow::GetInstance()),
+        m_verbosity(vtkLogger::GetCurrentVerbosityCutoff()) {
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+    vtkOutputWindow::SetInstance(kept);
+  }
+  ~ListenToVtk() {
+    vtkOutputWindow::SetInstance(m_before);
+    vtkLogger::SetStderrVerbosity(m_verbosity);
+  }
+  ListenToVtk(const ListenToVtk&) = delete;
+  ListenToVtk& operator=(const ListenToVtk&) = delete;
+
+  const vtkSmartPointer<KeptMessages> kept;
+
+ private:
+  const vtkSmartPointer<vtkOutputWindow> m_before;
+  const vtkLogger::Verbosity m_verbosity;
 };
 
 template <class Reader> vtkSmartPointer<vtkPointSet> read_with(const std::string& path) {
@@ -58,7 +85,6 @@ template <class Reader> vtkSmartPointer<vtkPointSet> read_with(const std::string
 }
 
 vtkSmartPointer<vtkPointSet> read_points(const std::string& path) {
-  const QuietVtk quiet;
   if (ends_with(path, ".pvtu"))
     return read_with<vtkXMLPUnstructuredGridReader>(path);
   if (ends_with(path, ".vtu"))
@@ -162,10 +188,15 @@ bool VtkDumpReader::next(Frame& frame) {
   frame.place = {m_path, 1, 1};
   frame.timestep = step_in(m_path);
   frame.label = "ATOMS";
+  const ListenToVtk listening;
   const vtkSmartPointer<vtkPointSet> points = read_points(m_path);
-  if (!points)
-    throw InputError(m_path + ": expected a VTK file with points (PolyData or UnstructuredGrid), "
-                              "found something else or a broken file");
+  const std::string error = listening.kept->first_error();
+  if (!points || !error.empty())
+    throw InputError(
+        m_path +
+        ": frame 1: expected a whole VTK file with points (PolyData or "
+        "UnstructuredGrid), found " +
+        (error.empty() ? "something else or a broken file" : "a broken file: " + error));
   frame.rows = static_cast<std::size_t>(points->GetNumberOfPoints());
   std::vector<double> coordinates[3];
   for (std::size_t row = 0; row < frame.rows; ++row)

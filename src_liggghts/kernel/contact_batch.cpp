@@ -96,37 +96,6 @@ ELLIPSOID_VECTOR_VERSIONS(search, Columns)
 
 } // namespace
 
-void ContactBatch::add(const EllipsoidShape& i, const EllipsoidShape& j,
-                       const Vector3& centre_distance, const Vector3& start) {
-  using C = Columns;
-  const int k = size_++;
-  const auto put = [this, k](int column, double value) { columns_.in[column][k] = value; };
-  const auto put_matrix = [&put](int column, const SymmetricMatrix3& a) {
-    put(column, a.xx);
-    put(column + 1, a.yy);
-    put(column + 2, a.zz);
-    put(column + 3, a.xy);
-    put(column + 4, a.xz);
-    put(column + 5, a.yz);
-  };
-  put_matrix(C::axx_i, i.a_matrix);
-  put_matrix(C::axx_j, j.a_matrix);
-  put(C::dx, centre_distance.x);
-  put(C::dy, centre_distance.y);
-  put(C::dz, centre_distance.z);
-  put(C::product_i, i.squared_axes_product);
-  put(C::product_j, j.squared_axes_product);
-  put(C::safe_overlap, i.smallest_curvature_radius + j.smallest_curvature_radius);
-  columns_.out[C::nx][k] = start.x;
-  columns_.out[C::ny][k] = start.y;
-  columns_.out[C::nz][k] = start.z;
-  columns_.out[C::steps][k] = 0.0;
-  columns_.out[C::open][k] = 1.0;
-  start_[k] = start;
-  shape_i_[k] = &i;
-  shape_j_[k] = &j;
-}
-
 void ContactBatch::solve() {
   // the last block is filled up with its first pair, which is there
   const int last = size_ - size_ % block;
@@ -139,22 +108,11 @@ void ContactBatch::solve() {
   search(columns_, size_);
 }
 
-ContactGeometry ContactBatch::geometry(int k) const {
+ContactGeometry ContactBatch::search_alone(int k) const {
   using C = Columns;
-  const auto out = [this, k](int column) { return columns_.out[column][k]; };
-  if (out(C::open) != 0.0)
-    return find_contact_from(start_[k], *shape_i_[k], *shape_j_[k],
-                             {columns_.in[C::dx][k], columns_.in[C::dy][k], columns_.in[C::dz][k]});
-  ContactGeometry c;
-  c.overlap = out(C::overlap);
-  c.status = c.overlap < 0.0 ? ContactStatus::separated : ContactStatus::touching;
-  c.normal = {out(C::nx), out(C::ny), out(C::nz)};
-  c.point = {out(C::px), out(C::py), out(C::pz)};
-  c.reduced_radius = out(C::reduced_radius);
-  c.curvature_radius_i = out(C::radius_i);
-  c.curvature_radius_j = out(C::radius_j);
-  c.iterations = static_cast<int>(out(C::steps));
-  return c;
+  const auto in = [this, k](int column) { return columns_.in[column][k]; };
+  return find_contact_from({in(C::start_x), in(C::start_y), in(C::start_z)}, *shape_i_[k],
+                           *shape_j_[k], {in(C::dx), in(C::dy), in(C::dz)});
 }
 
 } // namespace ellipsoid

@@ -20,6 +20,8 @@ namespace ellipsoid {
 class ContactBatch {
 public:
   static constexpr int capacity = 64;
+  /// A cache line more: columns one power of two apart would all fall on the same few cache sets.
+  static constexpr int column_length = capacity + 8;
 
   int size() const { return size_; }
   bool full() const { return size_ == capacity; }
@@ -40,20 +42,76 @@ public:
   /// Columns of numbers, one per pair.
   struct Columns {
     enum Input { axx_i, ayy_i, azz_i, axy_i, axz_i, ayz_i, axx_j, ayy_j, azz_j, axy_j, axz_j, ayz_j,
-                 dx, dy, dz, product_i, product_j, safe_overlap, input_count };
+                 dx, dy, dz, product_i, product_j, safe_overlap, start_x, start_y, start_z,
+                 input_count };
     enum Result { nx, ny, nz, px, py, pz, overlap, reduced_radius, radius_i, radius_j,
                   steps, ///< evaluations of the overlap function
                   open,  ///< 0: solved
                   result_count };
-    alignas(64) double in[input_count][capacity];
-    alignas(64) double out[result_count][capacity];
+    alignas(64) double in[input_count][column_length];
+    alignas(64) double out[result_count][column_length];
   };
 
 private:
   int size_ = 0;
   Columns columns_;
-  Vector3 start_[capacity];
   const EllipsoidShape *shape_i_[capacity], *shape_j_[capacity];
+
+  ContactGeometry search_alone(int k) const;
 };
+
+// Inline, and number by number: a vector that is copied as a whole right after its numbers were stored
+// one by one keeps the processor waiting.
+
+inline void ContactBatch::add(const EllipsoidShape& i, const EllipsoidShape& j,
+                              const Vector3& centre_distance, const Vector3& start) {
+  using C = Columns;
+  const int k = size_++;
+  const auto put = [this, k](int column, double value) { columns_.in[column][k] = value; };
+  const auto put_vector = [&put](int column, const Vector3& v) {
+    put(column, v.x);
+    put(column + 1, v.y);
+    put(column + 2, v.z);
+  };
+  const auto put_matrix = [&put](int column, const SymmetricMatrix3& a) {
+    put(column, a.xx);
+    put(column + 1, a.yy);
+    put(column + 2, a.zz);
+    put(column + 3, a.xy);
+    put(column + 4, a.xz);
+    put(column + 5, a.yz);
+  };
+  put_matrix(C::axx_i, i.a_matrix);
+  put_matrix(C::axx_j, j.a_matrix);
+  put_vector(C::dx, centre_distance);
+  put(C::product_i, i.squared_axes_product);
+  put(C::product_j, j.squared_axes_product);
+  put(C::safe_overlap, i.smallest_curvature_radius + j.smallest_curvature_radius);
+  put_vector(C::start_x, start);
+  columns_.out[C::nx][k] = start.x;
+  columns_.out[C::ny][k] = start.y;
+  columns_.out[C::nz][k] = start.z;
+  columns_.out[C::steps][k] = 0.0;
+  columns_.out[C::open][k] = 1.0;
+  shape_i_[k] = &i;
+  shape_j_[k] = &j;
+}
+
+inline ContactGeometry ContactBatch::geometry(int k) const {
+  using C = Columns;
+  const auto out = [this, k](int column) { return columns_.out[column][k]; };
+  if (out(C::open) != 0.0)
+    return search_alone(k);
+  ContactGeometry c;
+  c.overlap = out(C::overlap);
+  c.status = c.overlap < 0.0 ? ContactStatus::separated : ContactStatus::touching;
+  c.normal = {out(C::nx), out(C::ny), out(C::nz)};
+  c.point = {out(C::px), out(C::py), out(C::pz)};
+  c.reduced_radius = out(C::reduced_radius);
+  c.curvature_radius_i = out(C::radius_i);
+  c.curvature_radius_j = out(C::radius_j);
+  c.iterations = static_cast<int>(out(C::steps));
+  return c;
+}
 
 } // namespace ellipsoid

@@ -232,17 +232,6 @@ ContactGeometry certify(const ContactGeometry& c, const EllipsoidShape& i, const
 
 } // namespace
 
-EllipsoidShape make_shape(const Vector3& semiaxes, const Quaternion& orientation) {
-  const double aa = semiaxes.x * semiaxes.x, bb = semiaxes.y * semiaxes.y,
-               cc = semiaxes.z * semiaxes.z;
-  EllipsoidShape shape;
-  shape.a_matrix = rotated_diagonal(rotation(orientation), aa, bb, cc);
-  shape.squared_axes_product = aa * bb * cc;
-  shape.smallest_curvature_radius =
-      std::min({aa, bb, cc}) / std::max({semiaxes.x, semiaxes.y, semiaxes.z});
-  return shape;
-}
-
 ContactGeometry find_contact(const EllipsoidShape& i, const EllipsoidShape& j,
                              const Vector3& centre_distance, const SearchOptions& options) {
   return find_contact_from(first_normal(i, j, centre_distance), i, j, centre_distance, options);

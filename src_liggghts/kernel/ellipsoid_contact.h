@@ -22,6 +22,8 @@
 #include "elliptic_hertz.h"
 #include "vector3.h"
 
+#include <algorithm>
+
 namespace ellipsoid {
 
 /// An ellipsoid about the origin of its own frame, ready for contact evaluation.
@@ -33,7 +35,16 @@ struct EllipsoidShape {
 
 /// @param[in] semiaxes    a, b, c along the body's x, y, z (length, > 0)
 /// @param[in] orientation unit quaternion, body to space
-EllipsoidShape make_shape(const Vector3& semiaxes, const Quaternion& orientation);
+inline EllipsoidShape make_shape(const Vector3& semiaxes, const Quaternion& orientation) {
+  const double aa = semiaxes.x * semiaxes.x, bb = semiaxes.y * semiaxes.y,
+               cc = semiaxes.z * semiaxes.z;
+  EllipsoidShape shape;
+  shape.a_matrix = rotated_diagonal(rotation(orientation), aa, bb, cc);
+  shape.squared_axes_product = aa * bb * cc;
+  shape.smallest_curvature_radius =
+      std::min({aa, bb, cc}) / std::max({semiaxes.x, semiaxes.y, semiaxes.z});
+  return shape;
+}
 
 enum class ContactStatus {
   separated,    ///< a separating normal was found: proof that the bodies do not touch

@@ -7,49 +7,75 @@ namespace ellipsoid {
 
 namespace {
 
-using Columns = RotationBatch::Columns;
+template <class Columns> Quaternion quaternion_of(const Columns& c, int k) {
+  return {c.values[Columns::qw][k], c.values[Columns::qx][k], c.values[Columns::qy][k],
+          c.values[Columns::qz][k]};
+}
 
-inline void rotate_loop(Columns& c, int size) {
-  using C = Columns;
+template <class Columns> void put(Columns& c, const Quaternion& q, int k) {
+  c.values[Columns::qw][k] = q.w;
+  c.values[Columns::qx][k] = q.x;
+  c.values[Columns::qy][k] = q.y;
+  c.values[Columns::qz][k] = q.z;
+}
+
+template <class Columns> Vector3 inertia_of(const Columns& c, int k) {
+  return {c.values[Columns::ix][k], c.values[Columns::iy][k], c.values[Columns::iz][k]};
+}
+
+template <class Columns> void put_inertia(Columns& c, const Vector3& inertia, int k) {
+  c.values[Columns::ix][k] = inertia.x;
+  c.values[Columns::iy][k] = inertia.y;
+  c.values[Columns::iz][k] = inertia.z;
+}
+
+inline void rotate_loop(RotationBatch::Columns& c, int size) {
+  using C = RotationBatch::Columns;
   const double time_step = c.time_step;
 #pragma GCC ivdep
   for (int k = 0; k < size; ++k) {
     const Vector3 momentum{c.values[C::mx][k], c.values[C::my][k], c.values[C::mz][k]};
-    const Vector3 inertia{c.values[C::ix][k], c.values[C::iy][k], c.values[C::iz][k]};
-    const Quaternion q =
-        rotate_freely({c.values[C::qw][k], c.values[C::qx][k], c.values[C::qy][k],
-                       c.values[C::qz][k]},
-                      momentum, inertia, time_step);
+    const Vector3 inertia = inertia_of(c, k);
+    const Quaternion q = rotate_freely(quaternion_of(c, k), momentum, inertia, time_step);
     const Vector3 omega = angular_velocity(momentum, inertia, q);
-    c.values[C::qw][k] = q.w;
-    c.values[C::qx][k] = q.x;
-    c.values[C::qy][k] = q.y;
-    c.values[C::qz][k] = q.z;
+    put(c, q, k);
     c.values[C::wx][k] = omega.x;
     c.values[C::wy][k] = omega.y;
     c.values[C::wz][k] = omega.z;
   }
 }
 
-ELLIPSOID_VECTOR_VERSIONS(rotate, Columns)
+ELLIPSOID_VECTOR_VERSIONS(rotate, RotationBatch::Columns)
+
+inline void rotate_in_plane_loop(PlanarRotationBatch::Columns& c, int size) {
+  using C = PlanarRotationBatch::Columns;
+  const double time_step = c.time_step;
+#pragma GCC ivdep
+  for (int k = 0; k < size; ++k) {
+    const Quaternion q = quaternion_of(c, k);
+    const PlanarInertia inertia = planar_inertia(q, inertia_of(c, k));
+    const double rate = c.values[C::mz][k] / inertia.about_z;
+    const Quaternion turned = rotate_about_z(q, time_step * rate);
+    const PlanarInertia after = planar_inertia(turned, inertia_of(c, k));
+    put(c, turned, k);
+    c.values[C::rate][k] = rate;
+    c.values[C::about_z][k] = after.about_z;
+    c.values[C::misaligned][k] = after.misaligned;
+  }
+}
+
+ELLIPSOID_VECTOR_VERSIONS(rotate_in_plane, PlanarRotationBatch::Columns)
 
 } // namespace
 
 void RotationBatch::add(const Quaternion& orientation, const Vector3& momentum,
                         const Vector3& inertia) {
-  using C = Columns;
   const int k = size_++;
-  const auto put = [this, k](int column, double value) { columns_.values[column][k] = value; };
-  put(C::qw, orientation.w);
-  put(C::qx, orientation.x);
-  put(C::qy, orientation.y);
-  put(C::qz, orientation.z);
-  put(C::mx, momentum.x);
-  put(C::my, momentum.y);
-  put(C::mz, momentum.z);
-  put(C::ix, inertia.x);
-  put(C::iy, inertia.y);
-  put(C::iz, inertia.z);
+  put(columns_, orientation, k);
+  columns_.values[Columns::mx][k] = momentum.x;
+  columns_.values[Columns::my][k] = momentum.y;
+  columns_.values[Columns::mz][k] = momentum.z;
+  put_inertia(columns_, inertia, k);
 }
 
 void RotationBatch::solve(double time_step) {
@@ -57,15 +83,26 @@ void RotationBatch::solve(double time_step) {
   rotate(columns_, size_);
 }
 
-Quaternion RotationBatch::orientation(int k) const {
-  using C = Columns;
-  return {columns_.values[C::qw][k], columns_.values[C::qx][k], columns_.values[C::qy][k],
-          columns_.values[C::qz][k]};
-}
+Quaternion RotationBatch::orientation(int k) const { return quaternion_of(columns_, k); }
 
 Vector3 RotationBatch::omega(int k) const {
   using C = Columns;
   return {columns_.values[C::wx][k], columns_.values[C::wy][k], columns_.values[C::wz][k]};
 }
+
+void PlanarRotationBatch::add(const Quaternion& orientation, double momentum_z,
+                              const Vector3& inertia) {
+  const int k = size_++;
+  put(columns_, orientation, k);
+  columns_.values[Columns::mz][k] = momentum_z;
+  put_inertia(columns_, inertia, k);
+}
+
+void PlanarRotationBatch::solve(double time_step) {
+  columns_.time_step = time_step;
+  rotate_in_plane(columns_, size_);
+}
+
+Quaternion PlanarRotationBatch::orientation(int k) const { return quaternion_of(columns_, k); }
 
 } // namespace ellipsoid

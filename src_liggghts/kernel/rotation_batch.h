@@ -1,17 +1,19 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Free rotation of many bodies at once: rotate_freely() and angular_velocity() of rigid_body.h in a
-// loop that the compiler turns into vector instructions. The results are those of the two functions,
-// bit for bit.
+// Free rotation of many bodies at once: the functions of rigid_body.h in loops that the compiler turns
+// into vector instructions. The results are those of the functions, bit for bit.
 #pragma once
 
 #include "rigid_body.h"
 
 namespace ellipsoid {
 
+/// rotate_freely() and angular_velocity().
 class RotationBatch {
 public:
   static constexpr int capacity = 64;
+  /// A cache line more: columns one power of two apart would all fall on the same few cache sets.
+  static constexpr int column_length = capacity + 8;
 
   int size() const { return size_; }
   bool full() const { return size_ == capacity; }
@@ -29,7 +31,42 @@ public:
   /// Columns of numbers, one per body.
   struct Columns {
     enum Value { qw, qx, qy, qz, mx, my, mz, ix, iy, iz, wx, wy, wz, value_count };
-    alignas(64) double values[value_count][capacity];
+    alignas(64) double values[value_count][column_length];
+    double time_step;
+  };
+
+private:
+  int size_ = 0;
+  Columns columns_;
+};
+
+/// planar_inertia() and rotate_about_z(): bodies that move in the xy plane.
+class PlanarRotationBatch {
+public:
+  static constexpr int capacity = RotationBatch::capacity;
+
+  int size() const { return size_; }
+  bool full() const { return size_ == capacity; }
+  void clear() { size_ = 0; }
+
+  /// @param[in] momentum_z angular momentum about z, @param[in] inertia principal moments
+  void add(const Quaternion& orientation, double momentum_z, const Vector3& inertia);
+
+  /// Advances all bodies.
+  void solve(double time_step);
+
+  Quaternion orientation(int k) const; ///< of body k after the step
+  /// Angular velocity during the step (rad/time).
+  double rate(int k) const { return columns_.values[Columns::rate][k]; }
+  /// After the step.
+  PlanarInertia inertia(int k) const {
+    return {columns_.values[Columns::about_z][k], columns_.values[Columns::misaligned][k]};
+  }
+
+  /// Columns of numbers, one per body.
+  struct Columns {
+    enum Value { qw, qx, qy, qz, mz, ix, iy, iz, rate, about_z, misaligned, value_count };
+    alignas(64) double values[value_count][RotationBatch::column_length];
     double time_step;
   };
 

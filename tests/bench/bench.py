@@ -20,6 +20,7 @@ from pathlib import Path
 import numpy as np
 
 import where
+from figures import CASE, figure_rows, write_figures
 from machine import description
 from scripts import (SIDE, SMOOTH, SPHERE, SUPERQUADRIC, damped, moving_bodies, multisphere, rigid,
                      rigid_bodies, settle, timed)
@@ -388,7 +389,10 @@ def main():
     repeats = 1 if arguments.short else arguments.repeats
     for group in chosen:
         print(f"\n{group.name}", flush=True)
-        new = list(rows_of(group, measure(bench, group, repeats)))
+        results = measure(bench, group, repeats)
+        if group.name == CASE:
+            write_figures(arguments.out / "figures.csv", figure_rows(results))
+        new = list(rows_of(group, results))
         for row in new:
             print(f"  {row[1]:16s} {row[4]:>8s} ns  {row[6]:>6s} ({row[7]} to {row[8]})  {row[9]}", flush=True)
         rows += new

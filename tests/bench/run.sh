@@ -5,7 +5,7 @@
 #   bash tests/bench/run.sh --short         a minute or two
 #   bash tests/bench/run.sh --help          cases, shapes, repeats, where time goes
 #
-# Needs a configured build folder `build`. Results: build/bench/table.md and table.csv.
+# Needs a configured build folder `build`. Results: build/bench/table.md, table.csv and figures.csv.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 build=$(cd "$here/../.." && pwd)/build

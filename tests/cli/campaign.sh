@@ -2,9 +2,9 @@
 # A small campaign that is killed on the way and started again gives the same figures, to the last
 # digit, as one that was left alone.
 set -euo pipefail
-variables=(-var particles 15 -var y0 0.03 -var dt 1e-5 -var settle 3.5 -var dump_time 0.5
+variables=(-var particles 60 -var y0 0.04 -var dt 1e-5 -var settle 1.2 -var dump_time 0.5
   -var restart_time 0.05 -var vtk no)
-rest=150000 # step at which the particles lie on each other
+rest=270000 # step at which the particles lie on each other
 matrix=(--surfaces "smooth 5" --seeds "1 2")
 
 campaign() {

@@ -125,6 +125,20 @@ def check_force_chains(name):
     assert "no contacts of time step 0" in error, error
 
 
+def check_broken_vtk(name):
+    """XML that is cut or damaged: VTK's own reason in one line, no missing columns."""
+    for kind in f"{name}_poly.{STEPS}.vtp", f"{name}_cloud.{STEPS}.vtu":
+        with open(kind, "rb") as file:
+            whole = file.read()
+        broken = f"broken_{kind}"
+        for text in whole[:len(whole) // 2], whole.replace(b"<PointData>", b"<PointData\xff>", 1):
+            with open(broken, "wb") as file:
+                file.write(text)
+            out, error = post("coordination", broken, "--no-wall", expect=1)
+            assert out == "" and error.count("\n") == 1, (out, error)
+            assert f"{broken}: frame 1: expected a whole VTK file" in error and "broken file" in error, error
+
+
 VTK_DUMPS = """dump legacy all custom/vtk {steps} {{name}}.*.vtk {{columns}}
 dump packed all custom/vtk {steps} {{name}}_binary.*.vtk {{columns}}
 dump_modify packed binary yes
@@ -158,15 +172,40 @@ def check_vtk(name):
         assert max(differences) < precision, (file, differences)
 
 
+def check_host_template():
+    """The words that `template --mass` prints make the host's rigid body."""
+    a, b, mass = 2.7e-3, 1.15e-3, 2e-5
+    _, words = post("template", "--aspect", a / b, "--subspheres", 5, "--multisphere", "body.txt",
+                    "--mass", mass, "--quiet")
+    words = words.split("particletemplate/multisphere: ")[1].strip()
+    setup = Setup(box=(0.0, 0.05) * 3, pair=f"gran {LAW}", atom_style="sphere", time_step=1e-6)
+    columns = "id id_multisphere x y z radius"
+    run(setup.without_particles()
+        + f"fix grain all particletemplate/multisphere 10037 atom_type 1 density constant 1340 {words}\n"
+        "fix mixture all particledistribution/discrete 10039 1 grain 1.0\n"
+        "region all block 0.01 0.04 0.01 0.04 0.01 0.04 units box\nfix bodies all multisphere\n"
+        "fix fill all insert/pack seed 15485863 distributiontemplate mixture insert_every once &\n"
+        "    overlapcheck yes orientation random region all particles_in_region 1\n"
+        f'run 1\ndump d all custom 1 body.dump {columns}\ndump_modify d format "%d %d %.16g %.16g %.16g %.16g"\n'
+        "run 0\n", name="in.body")
+    (row,) = rows_of("coordination", "body.dump", "--no-wall")
+    assert row["particles"] == "1" and row["subspheres"] == "5", row
+    (orientation,) = rows_of("orientation", "body.dump")
+    assert orientation["subspheres"] == "5", orientation
+
+
 def main():
+    check_host_template()
     with_vtk = os.environ["ELLIPSOID_VTK"] == "1"
     simulate("smooth", "smooth", 2, VTK_DUMPS if with_vtk else "")
-    simulate("ms", "multisphere", 1)
+    simulate("ms", "multisphere", 1, VTK_DUMPS if with_vtk else "")
     for name in "smooth", "ms":
         check_contacts(name)
         check_force_chains(name)
+        if with_vtk:
+            check_vtk(name)
     if with_vtk:
-        check_vtk("smooth")
+        check_broken_vtk("ms")
 
 
 main()

@@ -29,10 +29,36 @@ def check_template():
         assert file.read().count("endfacet") > 1000
     with open("ms.mol", encoding="ascii") as file:
         assert "7 atoms" in file.read()
+    with open("ms.mol", encoding="ascii") as file:
+        assert "mass" not in file.read()
+    rows = rows_of("template", "--aspect", "2.35,5", "--tolerance", "0.01")
+    assert [row["subspheres"] for row in rows] == ["13", "29"]  # one for each aspect ratio
+    (row,) = rows_of("template", "--aspect", "2.35", "--tolerance", "0.01", "--measure", "volume")
+    assert row["subspheres"] == "17"
+    (row,) = rows_of("template", "--aspect", "2.35", "--tolerance", "0.01", "--measure", "outline",
+                     "--spacing", "minimax")
+    assert row["subspheres"] == "13"
+    molecule, _ = post("template", "--b", "1.15", "--aspect", 2.7 / 1.15, "--subspheres", 7, "--mass",
+                       "5", "--molecule", "-")
+    header = molecule.split("Coords")[0].splitlines()
+    moments = [float(word) for word in header[5].split()[:6]]
+    assert header[2:5] == ["7 atoms", "5 mass", "0 0 0 com"] and header[5].endswith(" inertia")
+    for found, expected in zip(moments, (2 * 1.15 ** 2, 1.15 ** 2 + 2.7 ** 2, 1.15 ** 2 + 2.7 ** 2, 0, 0, 0)):
+        assert abs(found - expected) < 1e-12, moments
+    _, error = post("template", "--aspect", "2,3", "--subspheres", "13", "--stl", "x.stl", expect=2)
+    assert "one --aspect" in error and not os.path.exists("x.stl")
+    _, error = post("template", "--spacing", "even", expect=2)
+    assert "minimax" in error
     _, error = post("template", "--subspheres", "4", expect=1)
     assert "4" in error
     _, error = post("template", "--aspect", "10", "--subspheres", "5", expect=1)
     assert error.count("\n") == 2, error  # which one cannot be built and why; that none is left
+
+
+def png_size(name):
+    with open(name, "rb") as file:
+        head = file.read(24)
+    return int.from_bytes(head[16:20], "big"), int.from_bytes(head[20:24], "big")
 
 
 def lattice_in_space(count):
@@ -94,6 +120,21 @@ def check_space():
     with open("bed.png", "rb") as file:
         assert file.read(8) == b"\x89PNG\r\n\x1a\n"
     post("render3d", name, "-o", "bed.jpg", expect=2)
+    post("render3d", name, "-o", "film_*.svg", "--colour", "id", "--colour-range", 0, 500, "--title",
+         "A lattice")
+    with open("film_5.svg", encoding="utf8") as file:
+        text = file.read()
+    assert text.count("<image ") == 1 and "data:image/png;base64" in text
+    for words in "A lattice", ">0<", ">500<", ">id<", " mm<":
+        assert words in text, words
+    post("render3d", name, "-o", "bare.png", "--bare", "--width", 200, "--height", 150)
+    assert png_size("bare.png") == png_size("bed.png") == (200, 150)
+    _, error = post("render3d", name, "-o", "x.svg", "--bare", expect=1)
+    assert ".png" in error
+    _, error = post("render3d", name, "-o", "x.png", "--view", 0, 1, 0, 1, 1, 0, expect=1)
+    assert "z0 < z1" in error
+    _, error = post("render3d", name, "-o", "x.png", "--width", 1600, "--height", 100, expect=1)
+    assert "--height" in error
     (heap,) = json_of("heap", write("cone.dump", frame_text(7, cone(25, 0.03))), "--sectors", 6)
     # steps of 1.4 B over its 0.03 m of height
     assert abs(heap["repose_angle_deg"] - 25) < 1.5, heap

@@ -1,12 +1,13 @@
 # Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 """The commands on piles: figures, invariances, output formats, bad input, exit codes."""
 import gzip
+import math
 import os
 import random
 import re
 import resource
 
-from _synthetic import (COLUMNS, frame_text, json_of, particle, post, rows_of, wedge, write)
+from _synthetic import (B, COLUMNS, frame_text, json_of, particle, post, rows_of, wedge, write)
 
 MEASURES = ("repose_angle_deg", "porosity", "zpp", "zss", "total_area_m2", "solid_area_m2",
             "mean_overlap_b", "rattlers")
@@ -46,6 +47,38 @@ def check_invariances(pile):
     with_strays = figures(write("strays.dump", frame_text(100, pile + strays)))
     assert with_strays == reference, (with_strays, reference)
     return reference
+
+
+def check_two_sided():
+    """A heap without a wall, 25 degrees on its right and 20 on its left flank."""
+    right = [{**row, "x": 0.2 + row["x"]} for row in wedge(25.0)]
+    left = [{**row, "x": 0.2 - row["x"], "id": 5000 + row["id"]} for row in wedge(20.0)]
+    # in every second row the two lattices leave room for one particle in the middle
+    seam = [particle(9000 + j, 0.2, B + 0.9999 * j * B * math.sqrt(3.0)) for j in range(1, 29, 2)]
+    name = write("two_sided.dump", frame_text(1, right + left + seam))
+    (pile,) = rows_of("pile", name, "--no-wall")
+    (repose,) = rows_of("repose", name, "--no-wall")
+    angles = {}
+    for side in "", "_left", "_right":
+        key = f"repose_angle{side}_deg"
+        assert repose[key] == pile[key], side
+        angles[side] = float(pile[key])
+    assert abs(angles["_left"] - 20.0) < 0.7 and abs(angles["_right"] - 25.0) < 0.7, angles
+    assert abs(angles[""] - (angles["_left"] + angles["_right"]) / 2) < 1e-12, angles
+    error = math.hypot(*(float(pile[f"repose_angle_standard_error_{s}_deg"]) for s in ("left", "right")))
+    assert abs(float(pile["repose_angle_standard_error_deg"]) - error / 2) < 1e-12
+    ends = [float(pile[f"point_b_x_{side}_m"]) for side in ("left", "right")]
+    assert ends[0] < 0.1 and ends[1] > 0.3, ends
+    (whole,), (middle,), (core,) = (rows_of("porosity", name, "--no-wall", "--region", region)
+                                    for region in ("whole", "middle", "core"))
+    assert float(core["porosity"]) < float(middle["porosity"]) < float(whole["porosity"])
+    # away from the surface the lattice of touching ellipses; the region's rim cuts through its cells
+    lattice = 1 - math.pi / (2 * math.sqrt(3))
+    assert abs(float(core["porosity"]) / lattice - 1) < 0.02, (core, lattice)
+    post("render", name, "--no-wall", "-o", "two_sided.svg")
+    with open("two_sided.svg", encoding="utf8") as file:
+        text = file.read()
+    assert text.count(">A<") == text.count(">B<") == 2 and text.count("°") == 4, "both flanks are drawn"
 
 
 def check_formats(reference):
@@ -104,14 +137,29 @@ def check_summary():
     post("plot", 12, "runs.csv", "-o", "figure12.svg")
     post("plot", 13, "runs.csv", "-o", "figure13.png")
     post("plot", 5, "-o", "figure5.svg")
+    post("plot", 15, "runs.csv", "-o", "figure15.svg")
     _, error = post("plot", 17, "runs.csv", "-o", "figure17.svg", expect=1)
-    assert "relative_cpu_time" in error
+    assert '"relative_cpu_time"' in error and "found only: run, timestep, surface" in error
+    _, error = post("plot", 12, "runs.csv", "-o", "figure12.jpg", expect=2)
+    assert ".svg or .png" in error
+    _, error = post("summary", "runs.csv", "--quantity", "porosity,angle", expect=1)
+    assert 'runs.csv: expected a column "angle"' in error and "repose_angle_deg" in error
+    _, error = post("summary", write("x.csv", "x,y\n1,2\n"), expect=1)
+    assert 'x.csv: expected a column "repose_angle_deg"' in error
+    for command in ("summary", write("words.csv", "surface,porosity\nsmooth,0.1\nsmooth,much\n")), \
+            ("plot", 13, "words.csv", "-o", "figure13.svg"):
+        _, error = post(*command, expect=1)
+        assert 'words.csv:3: expected a number in column "porosity", found "much"' in error, error
     post("report", "one.dump", "other.dump", "coarse.dump", "-o", "report.html")
     with open("report.html", encoding="utf8") as file:
         page = file.read()
-    (paper,) = re.findall(r"<tr><td>porosity</td><td>ellipse</td><td>0.13 .. 0.0052</td>.*", page)
+    (paper,) = re.findall(r"<tr><td>porosity</td><td>ellipse</td><td>0.13 ± 0.0052</td>.*", page)
     mean = sum(float(row["porosity"]) for row in runs) / 2
-    assert f"<td>{mean:.4g} +- " in paper and "<td>2</td>" in paper, paper
+    assert f"<td>{mean:.4g} ± " in paper and "<td>2</td>" in paper, paper
+    difference = 100 * (float(f"{mean!r}") / 0.13 - 1)
+    assert f"<td>{difference:+.1f}</td>" in paper, paper
+    assert "<th>run</th><th>one.dump</th><th>other.dump</th><th>coarse.dump</th>" in page
+    assert "coarse.dump: multisphere, N = 5" in page and "No log file" in page
     assert page.count("<figure>") >= 5 and "http" not in page.replace("http-equiv", "")
 
 
@@ -125,7 +173,7 @@ def check_bad_input(pile):
         "missing.dump": (frame_text(1, pile, [c for c in COLUMNS if c != "quat3"]), "quat3"),
         "nan.dump": (whole.replace("2e-05", "nan", 1), "finite number"),
         "count.dump": (whole.replace(f"\n{len(pile)}\n", f"\n{len(pile) + 1}\n", 1), "row"),
-        "empty.dump": ("", "no frame"),
+        "empty.dump": ("", "expected at least one frame, found none: the file is empty"),
         "none.dump": (frame_text(1, []), "at least one particle"),
     }
     for name, (text, message) in cases.items():
@@ -135,6 +183,14 @@ def check_bad_input(pile):
         file.write(bytes(random.Random(1).randrange(256) for _ in range(5000)))
     _, error = post("pile", "rubbish.dump", expect=1)
     assert "rubbish.dump:1" in error, error
+    _, error = post("pile", write("binary_7.dump", "\0\1\2"), "one.dump", "--csv", "kept.csv", expect=1)
+    assert "binary_7.dump:1: frame 1: expected text, found a NUL byte" in error, error
+    assert len(rows_of("summary", "kept.csv")) == 1  # the other run is measured all the same
+    _, error = post("pile", "many.dump", "--frame", 7, expect=1)
+    assert "many.dump: expected a frame of time step 7, found 2 frames: time steps 99 to 100" in error
+    _, error = post("energy", write("cgs.dump", "ITEM: UNITS\ncgs\n" + whole))
+    assert error.count("\n") == 1 and "cgs.dump" in error and "'cgs'" in error, error
+    assert post("energy", write("si.dump", "ITEM: UNITS\nsi\n" + whole))[1] == ""
     _, error = post("pile", "no_such_file.dump", expect=1)
     assert "no_such_file.dump" in error
     _, error = post("pile", "one.dump", "no_such_file.dump", "--quiet", "--csv", "kept.csv", expect=1)
@@ -143,8 +199,9 @@ def check_bad_input(pile):
     post("pile", expect=2)
     post("pile", "one.dump", "--cut-top", "2", expect=2)
     post("pile", "one.dump", "--frame", "middle", expect=2)
-    post("nonsense", expect=2)
-    _, error = post("render", "one.dump", "-o", "pile.jpg", expect=1)
+    _, error = post("nonsense", expect=2)
+    assert error.count("\n") == 1 and "'nonsense'" in error and "render3d" in error, error
+    _, error = post("render", "one.dump", "-o", "pile.jpg", expect=2)
     assert ".svg or .png" in error
     _, error = post("render", "one.dump", "-o", "pile.svg", "--colour", "nothing", expect=1)
     assert "nothing" in error
@@ -205,6 +262,7 @@ def check_speed(pile):
 def main():
     pile = wedge()
     reference = check_invariances(pile)
+    check_two_sided()
     check_formats(reference)
     check_fine_chains(reference)
     check_summary()

@@ -166,6 +166,13 @@ def damping_rows():
     return rows
 
 
+#: what the host's `set` takes, although no particle can be like that: (words, parameter, value)
+SET = [("quat_direct 0 0 0 0", "quaternion", "nan"), ("inertiax 0", "principal moments", "0 "),
+       ("inertiay -1", "principal moments", "-1"), ("inertiaz 1e400", "principal moments", "inf"),
+       ("mass 1e400", "mass", "inf"), ("shape 1e400 1 1", "semi-axes", "inf"),
+       ("density 1e400", "mass", "inf"), ("vx 1e400", "velocity", "inf"),
+       ("omegaz 1e400", "angular momentum", "nan"), ("z 1e400", "position", "inf")]
+
 COLUMNS = "id type x y z a b c q0 q1 q2 q3 mass I1 I2 I3".split()
 
 
@@ -194,6 +201,11 @@ def tabled_runs():
             file.write(f"{head}Atoms\n\n{' '.join(words)}\n{tail}")
         runs.append((f"data file: {' '.join(words)}", script({}, name), "tom", column, value))
 
+    with open("set.data", "w", encoding="ascii") as file:
+        file.write(good)
+    for words, parameter, value in SET:
+        text = script({}, "set.data").replace("run 3\n", f"set group all {words}\nrun 3\n")
+        runs.append((f"set group all {words}", text, "gran/ellipsoid: atom 1", parameter, value))
     for k, (column, value) in enumerate(data_rows()):
         words = atom.split()
         words[COLUMNS.index(column)] = value

@@ -131,8 +131,11 @@ class Mixture(unittest.TestCase):
         for kind, axes in kinds.items():
             found = np.stack([last[n][0] for n in ("shapex", "shapey", "shapez")], axis=1)
             self.assertTrue((found[last["type"][0] == kind] == axes).all())
+        # Contacts give back at most what they have stored: weight times overlap (0.05 % of the smallest
+        # semi-axis, as measured in piles).
         energy = total_energy(columns)
-        self.assertTrue((np.diff(energy) < 1e-9 * energy[0]).all(), f"energy grows: {energy}")
+        stored = last["mass"].sum() * GRAVITY * 5e-4 * min(min(axes) for axes in kinds.values())
+        self.assertTrue((np.diff(energy) < stored).all(), f"energy grows: {energy}")
         fall = kinetic_energy(last)[0] / (last["mass"].sum() * GRAVITY)
         pairs, factors = scales(last, (0.02, 0.02, math.inf))
         top = (last["z"][0] + np.sqrt(shape_squares(last)[:, 2, 2])).max()

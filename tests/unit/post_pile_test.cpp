@@ -126,7 +126,7 @@ TEST(Porosity, of_a_lattice_of_ellipses_is_exact) {
   const int columns = 30, rows = 20;
   const ParticleSet set = lattice(columns, rows, a, b);
   const PileOptions options;
-  const Porosity p = plane_porosity(find_pile(set, options), options, {}, std::nullopt);
+  const Porosity p = plane_porosity(find_pile(set, options), options, {}, {});
   // the free surface: straight up to the top row's centres, then half ellipses
   const double total = 2.0 * a * columns * b * (2.0 * rows - 1.0) + 0.5 * pi * a * b * columns;
   const double solid = pi * a * b * columns * rows;
@@ -147,10 +147,10 @@ TEST(Porosity, of_multispheres_uses_the_cut_off_spheres_or_the_ellipse) {
       set.spheres.push_back({p.centre + Vector3{chain.centres[k], 0.0, 0.0}, chain.radii[k]});
   }
   PileOptions options;
-  const Porosity ms = plane_porosity(find_pile(set, options), options, {}, std::nullopt);
+  const Porosity ms = plane_porosity(find_pile(set, options), options, {}, {});
   EXPECT_NEAR(ms.solid_area, 30.0 * measure(chain).area, 1e-12 * ms.solid_area);
   options.outline = OutlineKind::smooth_ellipse;
-  const Porosity ellipse = plane_porosity(find_pile(set, options), options, {}, std::nullopt);
+  const Porosity ellipse = plane_porosity(find_pile(set, options), options, {}, {});
   EXPECT_NEAR(ellipse.solid_area, 30.0 * pi * a * b, 1e-12 * ellipse.solid_area);
 }
 
@@ -160,7 +160,7 @@ TEST(Porosity, overlaps_count_once) {
   for (Particle& p : set.particles)
     p.centre.y = b + squeeze * (p.centre.y - b);
   const PileOptions options;
-  const Porosity p = plane_porosity(find_pile(set, options), options, {}, std::nullopt);
+  const Porosity p = plane_porosity(find_pile(set, options), options, {}, {});
   // lens of two unit discs at distance 2 squeeze, times a b (affine map)
   const double lens = 2.0 * std::acos(squeeze) - 2.0 * squeeze * std::sqrt(1.0 - squeeze * squeeze);
   const double lenses = 90.0 * lens * a * b, sum = 100.0 * pi * a * b;
@@ -183,7 +183,7 @@ TEST(Porosity, core_region_against_counting_points) {
   const ReposeAngle angle = repose_angle(pile, options, Flank::right);
   PorosityOptions core;
   core.region = PorosityRegion::core;
-  const Porosity exact = plane_porosity(pile, options, core, angle);
+  const Porosity exact = plane_porosity(pile, options, core, {angle});
   const double margin = core.margin * 0.05, slope = angle.line.slope;
   long inside = 0, solid = 0;
   constexpr double step = 0.001;

@@ -6,6 +6,7 @@
 #include "energy.h"
 #include "heap.h"
 #include "orientation.h"
+#include "space_picture.h"
 #include "template_files.h"
 
 #include <cmath>
@@ -217,7 +218,8 @@ TEST(Contacts, links_of_force_chains) {
   EXPECT_DOUBLE_EQ(links[1].force, 2.0);
   EXPECT_EQ(links[0].begin.x, 3.0);
   EXPECT_EQ(links[0].end.x, 5.0);
-  const auto normal = force_links(list, {{"i", "j"}, {"fx", "fy", "fz"}, {"nx", "ny", "nz"}, {}}, set);
+  const auto normal =
+      force_links(list, {{"i", "j"}, {"fx", "fy", "fz"}, {"nx", "ny", "nz"}, {}}, set);
   EXPECT_DOUBLE_EQ(normal[0].force, 3.0 + 1.0);
   list.columns[0][2] = 7;
   try {
@@ -227,6 +229,68 @@ TEST(Contacts, links_of_force_chains) {
     EXPECT_STREQ(error.what(), "list:12: frame 1: expected the id of a particle in column \"i\", "
                                "found 7, which the dump of the particles does not have");
   }
+}
+
+/// Area of the pixels that are not white (pixels), and the middle of them.
+struct Shadow {
+  double area = 0.0, x = 0.0, y = 0.0;
+};
+
+Shadow shadow_of(const PixelImage& image) {
+  Shadow shadow;
+  for (std::size_t k = 0; k < image.width * image.height; ++k)
+    if (image.samples[3 * k] < 255 || image.samples[3 * k + 2] < 255) {
+      shadow.area += 1.0;
+      shadow.x += static_cast<double>(k % image.width) + 0.5;
+      shadow.y += static_cast<double>(k / image.width) + 0.5;
+    }
+  shadow.x /= shadow.area;
+  shadow.y /= shadow.area;
+  return shadow;
+}
+
+TEST(SpacePicture, an_ellipsoid_throws_the_shadow_of_its_projection) {
+  // area of a parallel projection along n: pi sqrt((b c n_x)^2 + (a c n_y)^2 + (a b n_z)^2)
+  std::mt19937 generator(20100603);
+  for (int trial = 0; trial < 10; ++trial) {
+    ParticleSet set;
+    Particle p = ball(1.0, {0.3, -0.2, 0.1});
+    p.semiaxes = {2.0, 1.2, 0.7};
+    p.orientation = random_turn(generator);
+    set.particles.push_back(p);
+    SpaceView view;
+    view.azimuth_deg = 35.0 * trial;
+    view.elevation_deg = -80.0 + 17.0 * trial;
+    const SpacePixels pixels = draw_space(set, {Colour{0.2, 0.4, 0.6}}, view);
+    const double azimuth = view.azimuth_deg * pi / 180.0,
+                 elevation = view.elevation_deg * pi / 180.0;
+    const Vector3 n = rotation(p.orientation)
+                          .to_body({std::cos(azimuth) * std::cos(elevation),
+                                    std::sin(azimuth) * std::cos(elevation), std::sin(elevation)});
+    const double area = pi * std::hypot(1.2 * 0.7 * n.x, 2.0 * 0.7 * n.y, 2.0 * 1.2 * n.z);
+    const Shadow shadow = shadow_of(pixels.image);
+    // pixels that are covered in part count as whole ones: half a pixel around the outline
+    const double scale = pixels.pixels_per_length;
+    EXPECT_NEAR(shadow.area / (scale * scale), area, 2.0 * 2.0 * pi * 2.0 / scale);
+    EXPECT_NEAR(shadow.x, 600.0, 1.0);
+    EXPECT_NEAR(shadow.y, 450.0, 1.0);
+  }
+}
+
+TEST(SpacePicture, a_chosen_part_of_the_space_sets_scale_and_place) {
+  ParticleSet set;
+  set.particles.push_back(ball(0.5, {2.0, 3.0, 4.0}));
+  SpaceView view;
+  view.azimuth_deg = -90.0; // along y: x to the right, z upwards
+  view.elevation_deg = 0.0;
+  view.part = Box();
+  for (int k = 0; k < 3; ++k)
+    view.part->upper[k] = 8.0;
+  const SpacePixels pixels = draw_space(set, {Colour{}}, view);
+  EXPECT_NEAR(pixels.pixels_per_length, 0.94 * 900.0 / 8.0, 1e-9);
+  const Shadow shadow = shadow_of(pixels.image);
+  EXPECT_NEAR(shadow.x, 600.0 + (2.0 - 4.0) * pixels.pixels_per_length, 1.0);
+  EXPECT_NEAR(shadow.y, 450.0 - (4.0 - 4.0) * pixels.pixels_per_length, 1.0);
 }
 
 TEST(Energy, of_a_spinning_ellipsoid) {

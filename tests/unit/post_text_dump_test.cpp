@@ -83,6 +83,27 @@ TEST(TextDump, accepts_windows_line_ends_units_time_and_words_for_elements) {
   EXPECT_EQ(frame.required("x", "")[0], 0.25);
 }
 
+TEST(TextDump, accepts_units_and_time_before_the_time_step) {
+  const std::string first = "ITEM: UNITS\ncgs\nITEM: TIME\n0.25\n" + frame_text(7, "id x", {"1 2"});
+  TextDumpReader reader = reader_of(first + "ITEM: TIME\n0.5\n" + frame_text(8, "id x", {"1 3"}) +
+                                    frame_text(9, "id x", {"1 4"}));
+  Frame frame;
+  ASSERT_TRUE(reader.next(frame));
+  EXPECT_EQ(frame.units, "cgs");
+  EXPECT_EQ(frame.time.value_or(0.0), 0.25);
+  ASSERT_TRUE(reader.next(frame));
+  EXPECT_EQ(frame.units, "cgs"); // stated once for the whole file
+  EXPECT_EQ(frame.time.value_or(0.0), 0.5);
+  EXPECT_EQ(frame.timestep, 8);
+  ASSERT_TRUE(reader.next(frame));
+  EXPECT_FALSE(frame.time.has_value());
+  expect_error("ITEM: TIMESTEPS\n1\n", 0,
+               "test.dump:1: frame 1: expected \"ITEM: TIMESTEP\", found \"ITEM: TIMESTEPS\"");
+  expect_error(good + "ITEM: UNITS\nsi\n", 2,
+               "test.dump:23: frame 3: expected \"ITEM: TIMESTEP\", found the end of the file (the "
+               "last frame is cut off)");
+}
+
 TEST(TextDump, reads_lists_of_contacts) {
   std::string text = frame_text(3, "c_1[1] c_1[2]", {"1 2"});
   text.replace(text.find("NUMBER OF ATOMS"), 15, "NUMBER OF ENTRIES");
@@ -152,12 +173,13 @@ TEST(TextDump, rubbish) {
   expect_error(std::string("\x7f"
                            "ELF\0\0\0",
                            7),
-               0, "test.dump:1: a NUL byte: this is binary data, expected a text dump");
+               0, "test.dump:1: frame 1: expected text, found a NUL byte: these are binary data");
   expect_error("hello\n", 0, "test.dump:1: frame 1: expected \"ITEM: TIMESTEP\", found \"hello\"");
   expect_error(std::string("\xff\xfe\x01"), 0,
                "test.dump:1: frame 1: expected \"ITEM: TIMESTEP\", found \"\\xff\\xfe\\x01\"");
-  expect_error(std::string(3u << 20, 'x'), 0,
-               "test.dump:1: a line of more than 1048576 bytes: expected a text dump");
+  expect_error(
+      std::string(3u << 20, 'x'), 0,
+      "test.dump:1: frame 1: expected lines of text, found a line of more than 1048576 bytes");
   EXPECT_EQ(read_all("").first, 0);
 }
 
@@ -184,7 +206,25 @@ TEST(TextDump, gzip_gives_the_same_and_a_cut_file_is_an_error) {
   std::fwrite(bytes.data(), 1, bytes.size() / 2, cut);
   std::fclose(cut);
   TextDumpReader broken(path);
-  EXPECT_THROW(while (broken.next(frame)){}, InputError);
+  frames = 0;
+  try {
+    while (broken.next(frame))
+      ++frames;
+    ADD_FAILURE() << "a cut file was read to its end";
+  } catch (const InputError& error) {
+    const std::size_t line = std::size_t(frames) / 2 * 20 + (frames % 2 == 1 ? 9 : 0);
+    const std::string message = error.what();
+    const std::size_t begin = path.size() + 1;
+    ASSERT_EQ(message.substr(0, begin), path + ":") << message;
+    const std::size_t named =
+        std::stoul(message.substr(begin)); // in the frame after the whole ones
+    EXPECT_TRUE(named > line && named <= line + 11) << message << " after " << frames << " frames";
+    EXPECT_NE(message.find(": frame " + std::to_string(frames + 1) +
+                           ": expected more data, found "
+                           "gzip data that are broken or cut off (unexpected end of file)"),
+              std::string::npos)
+        << message;
+  }
 }
 
 TEST(TextDump, a_missing_file_is_an_error) {

@@ -1,0 +1,56 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Which combination of contact models the pair loop hands to the kernel's ContactLawBatch as a whole
+// (law_batch.h), and the material tables that it takes: those of the host's properties. All other
+// combinations go through the host's contact models, contact by contact.
+#ifndef BATCHED_LAW_H
+#define BATCHED_LAW_H
+
+#include "contact_models.h"
+#include "law_batch.h"
+#include "property_registry.h"
+
+namespace LIGGGHTS {
+namespace ContactModels {
+
+/// hertz/viscous with history/viscous and nothing else: the paper's law.
+template <typename Model> struct IsPaperLaw {
+  static constexpr bool value = false;
+};
+template <int Surface>
+struct IsPaperLaw<ContactModel<
+    GranStyle<HERTZ_VISCOUS, TANGENTIAL_HISTORY_VISCOUS, COHESION_OFF, ROLLING_OFF, Surface>>> {
+  static constexpr bool value = true;
+};
+
+/// Tables per pair of types.
+class PaperLawTables {
+public:
+  /// After the models have registered their properties.
+  void connect(PropertyRegistry& registry) {
+    const char* caller = "pair_style gran/ellipsoid";
+    registry.connect("Yeff", effective_modulus_, caller);
+    registry.connect("Geff", effective_shear_modulus_, caller);
+    registry.connect("viscousDampingNormal", normal_damping_, caller);
+    registry.connect("viscousDampingTangential", tangential_damping_, caller);
+    registry.connect("coeffFrict", friction_, caller);
+  }
+
+  ellipsoid::LawParameters parameters(int itype, int jtype, double effective_mass) const {
+    return {effective_modulus_[itype][jtype], effective_shear_modulus_[itype][jtype],
+            normal_damping_[itype][jtype] * effective_mass,
+            tangential_damping_[itype][jtype] * effective_mass, friction_[itype][jtype]};
+  }
+
+private:
+  double** effective_modulus_ = nullptr;
+  double** effective_shear_modulus_ = nullptr;
+  double** normal_damping_ = nullptr;
+  double** tangential_damping_ = nullptr;
+  double** friction_ = nullptr;
+};
+
+} // namespace ContactModels
+} // namespace LIGGGHTS
+
+#endif

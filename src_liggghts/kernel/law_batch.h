@@ -1,0 +1,140 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// The contact law (23), (24) of Markauskas et al. 2010 for many contacts at once: the functions of
+// contact_law.h in a loop that the compiler turns into vector instructions. Every contact gets the
+// same operations in the same order whatever the width of the vectors.
+//
+// Sign conventions are those of contact_law.h: the unit normal points from j to i, forces act on i.
+#pragma once
+
+#include "contact_law.h"
+
+namespace ellipsoid {
+
+/// Where two bodies touch.
+struct ContactPlace {
+  Vector3 normal;           ///< unit, from j to i
+  Vector3 lever_i, lever_j; ///< contact point relative to the centres of i and j (length)
+  double overlap;           ///< h >= 0 (length)
+  double reduced_radius;    ///< R of (19), (20) (length)
+};
+
+/// How the two bodies move.
+struct PairMotion {
+  Vector3 velocity;         ///< of the centre of i relative to that of j (length/time)
+  Vector3 omega_i, omega_j; ///< angular velocities (rad/time)
+};
+
+/// Material of a contact and mass of its pair.
+struct LawParameters {
+  double effective_modulus;       ///< E* (pressure)
+  double effective_shear_modulus; ///< G* (pressure)
+  double normal_damping;          ///< eta_n m_ij (mass/time)
+  double tangential_damping;      ///< eta_t m_ij (mass/time)
+  double friction;                ///< mu
+};
+
+/// What a contact does to the two bodies.
+struct ContactAction {
+  Vector3 force;              ///< on i; the reaction acts on j (force)
+  Vector3 torque_i, torque_j; ///< about the centres (force length)
+  double normal_force;        ///< F_n (23) (force)
+};
+
+/// What all contacts of a time step have in common.
+struct LawPass {
+  double time_step;      ///< by which springs grow (time)
+  bool advances_springs; ///< false: springs stay as they are unless friction shortens them
+  bool no_attraction;    ///< a normal force that pulls counts as 0
+};
+
+class ContactLawBatch {
+public:
+  static constexpr int capacity = 64;
+  /// A cache line more: columns one power of two apart would all fall on the same few cache sets.
+  static constexpr int column_length = capacity + 8;
+
+  int size() const { return size_; }
+  bool full() const { return size_ == capacity; }
+  void clear() { size_ = 0; }
+
+  /// @param[in] spring accumulated tangential displacement of the last step (length)
+  void add(const ContactPlace& place, const PairMotion& motion, const LawParameters& parameters,
+           const Vector3& spring);
+
+  void solve(const LawPass& pass);
+
+  /// As it was added.
+  ContactPlace place(int k) const;
+  /// Of contact k, after solve().
+  ContactAction action(int k) const;
+  /// Its spring, grown by (18) and shortened to what friction bears (length).
+  Vector3 spring(int k) const;
+
+  /// Columns of numbers, one per contact.
+  struct Columns {
+    enum Input { nx, ny, nz, lix, liy, liz, ljx, ljy, ljz, overlap, radius, vx, vy, vz, wix, wiy, wiz,
+                 wjx, wjy, wjz, modulus, shear_modulus, normal_damping, tangential_damping, friction,
+                 sx, sy, sz, input_count };
+    enum Result { fx, fy, fz, tix, tiy, tiz, tjx, tjy, tjz, normal_force, new_sx, new_sy, new_sz,
+                  result_count };
+    alignas(64) double in[input_count][column_length];
+    alignas(64) double out[result_count][column_length];
+    LawPass pass{};
+  };
+
+private:
+  int size_ = 0;
+  Columns columns_;
+};
+
+// Inline, and number by number, as in contact_batch.h.
+
+inline void ContactLawBatch::add(const ContactPlace& place, const PairMotion& motion,
+                                 const LawParameters& parameters, const Vector3& spring) {
+  using C = Columns;
+  const int k = size_++;
+  const auto put = [this, k](int column, double value) { columns_.in[column][k] = value; };
+  const auto put_vector = [&put](int first, const Vector3& v) {
+    put(first, v.x);
+    put(first + 1, v.y);
+    put(first + 2, v.z);
+  };
+  put_vector(C::nx, place.normal);
+  put_vector(C::lix, place.lever_i);
+  put_vector(C::ljx, place.lever_j);
+  put(C::overlap, place.overlap);
+  put(C::radius, place.reduced_radius);
+  put_vector(C::vx, motion.velocity);
+  put_vector(C::wix, motion.omega_i);
+  put_vector(C::wjx, motion.omega_j);
+  put(C::modulus, parameters.effective_modulus);
+  put(C::shear_modulus, parameters.effective_shear_modulus);
+  put(C::normal_damping, parameters.normal_damping);
+  put(C::tangential_damping, parameters.tangential_damping);
+  put(C::friction, parameters.friction);
+  put_vector(C::sx, spring);
+}
+
+inline ContactPlace ContactLawBatch::place(int k) const {
+  using C = Columns;
+  const auto in = [this, k](int first) {
+    return Vector3{columns_.in[first][k], columns_.in[first + 1][k], columns_.in[first + 2][k]};
+  };
+  return {in(C::nx), in(C::lix), in(C::ljx), columns_.in[C::overlap][k], columns_.in[C::radius][k]};
+}
+
+inline ContactAction ContactLawBatch::action(int k) const {
+  using C = Columns;
+  const auto out = [this, k](int first) {
+    return Vector3{columns_.out[first][k], columns_.out[first + 1][k], columns_.out[first + 2][k]};
+  };
+  return {out(C::fx), out(C::tix), out(C::tjx), columns_.out[C::normal_force][k]};
+}
+
+inline Vector3 ContactLawBatch::spring(int k) const {
+  using C = Columns;
+  return {columns_.out[C::new_sx][k], columns_.out[C::new_sy][k], columns_.out[C::new_sz][k]};
+}
+
+} // namespace ellipsoid

@@ -1,0 +1,19 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#ifndef ELLIPSOID_PARTICLE_CHECK_H
+#define ELLIPSOID_PARTICLE_CHECK_H
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace ellipsoid_host {
+
+/// Stops with one line when a particle of this rank cannot be simulated: semi-axes, mass and
+/// moments must be finite and > 0, position and velocities finite, the quaternion of length 1. The
+/// host's `set` and `fix adapt` do not look.
+/// @param[in] caller begins the message
+void check_particles(LAMMPS_NS::LAMMPS* lmp, const char* caller);
+
+} // namespace ellipsoid_host
+
+#endif

@@ -1,0 +1,40 @@
+# Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+"""What the benchmark writes for figures 17 and 18 is what `ellipsoid-post plot` draws."""
+import os
+import sys
+from types import SimpleNamespace
+
+from _synthetic import post, rows_of
+
+sys.path.insert(0, os.path.join(os.environ["ELLIPSOID_SOURCE"], "tests", "bench"))
+from figures import figure_rows, write_figures  # noqa: E402
+
+
+def sample(**figures):
+    return SimpleNamespace(figures=figures)
+
+
+def main():
+    results = {"sphere": ([40.0], [1.0], sample()),
+               "smooth": ([170.0, 190.0], [4.25, 4.75], sample(potential=1.5)),
+               "multisphere 3": ([150.0], [3.5], sample(potential=4.0)),
+               "multisphere 17": ([250.0, 260.0], [6.0, 6.5], sample(potential=28.0)),
+               "superquadric": ([1000.0], [25.0], sample())}
+    write_figures("figures.csv", figure_rows(results))
+    rows = rows_of("summary", "figures.csv", "--quantity",
+                   "relative_cpu_time,potential_contacts_per_particle")
+    means = {(row["surface"], row["subspheres"]): (float(row["relative_cpu_time_mean"]),
+                                                   float(row["potential_contacts_per_particle_mean"]))
+             for row in rows}
+    assert means == {("smooth", "-"): (4.5, 1.5), ("multisphere", "3"): (3.5, 4.0),
+                     ("multisphere", "17"): (6.25, 28.0)}, means
+    for number, ours in (17, 2), (18, 2):
+        post("plot", number, "figures.csv", "-o", f"figure{number}.svg")
+        with open(f"figure{number}.svg", encoding="utf8") as file:
+            text = file.read()
+        # filled circles: our points and the one of the legend
+        assert text.count("<circle") == ours + 1, (number, text.count("<circle"))
+        assert "ellipse (this work)" in text and "ellipse (paper)" in text
+
+
+main()
