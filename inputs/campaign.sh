@@ -49,8 +49,8 @@ out=$(cd "$out" && pwd)
 
 matrix=()
 for surface in $surfaces; do
-  [[ $surface == smooth || $surface =~ ^[1-9][0-9]*$ ]] ||
-    fail "surface '$surface' is neither 'smooth' nor a number of sub-spheres; correct --surfaces"
+  [[ $surface == smooth || $surface =~ ^[0-9]*[13579]$ ]] ||
+    fail "surface '$surface' is neither 'smooth' nor an odd number of sub-spheres; correct --surfaces"
   for seed in $seeds; do
     [[ $seed =~ ^[1-9][0-9]*$ ]] || fail "seed '$seed' is no integer > 0; correct --seeds"
     matrix+=("$surface $seed")
@@ -61,6 +61,25 @@ if [[ -n $only ]]; then
     fail "--only is '$only', allowed is 0 to $((${#matrix[@]} - 1))"
   matrix=("${matrix[$only]}")
 fi
+
+# folder_of SURFACE SEED: the run's folder
+folder_of() {
+  if [[ $1 == smooth ]]; then
+    echo "$out/smooth_seed$2"
+  else
+    echo "$out/ms$1_seed$2"
+  fi
+}
+
+# finished_runs: how many runs of the matrix have their figures
+finished_runs() {
+  local entry count=0
+  for entry in "${matrix[@]}"; do
+    # shellcheck disable=SC2086 # surface and seed are two words
+    [[ ! -s $(folder_of $entry)/pile.csv ]] || count=$((count + 1))
+  done
+  echo "$count"
+}
 
 # newest_restart FOLDER: the younger one of the two restart files that the run writes in turn
 newest_restart() {
@@ -76,9 +95,8 @@ newest_restart() {
 # run_one SURFACE SEED: one run, from wherever it stopped, and its figures
 run_one() {
   local surface=$1 seed=$2 name folder restart started=$SECONDS
-  name=${surface}_seed$seed
-  [[ $surface == smooth ]] || name=ms$surface"_seed"$seed
-  folder=$out/$name
+  folder=$(folder_of "$surface" "$seed")
+  name=$(basename "$folder")
   if [[ -s $folder/pile.csv ]]; then
     echo "  $name: was finished before"
     return
@@ -116,13 +134,14 @@ run_one() {
       return
     fi
     echo "  $name: stopped${start:+ when going on from $(basename "$start")}; see $folder/log.piling and output"
+    { grep -h '^ERROR' "$folder/log.piling" "$folder/output" || true; } | tail -n 1 | sed 's/^/    /'
   done
   return 1
 }
 
 say_progress() {
   local finished seconds=$((SECONDS - begin)) left=""
-  finished=$(find "$out" -name pile.csv | wc -l)
+  finished=$(finished_runs)
   local fresh=$((finished - finished_before))
   if [[ $fresh -gt 0 ]]; then
     left=", about $((seconds * (${#matrix[@]} - finished) / fresh)) s left"
@@ -131,22 +150,22 @@ say_progress() {
 }
 
 begin=$SECONDS
-finished_before=$(find "$out" -name pile.csv | wc -l)
-failures=0
+finished_before=$(finished_runs)
 echo "=== ${#matrix[@]} runs, $jobs at a time, in $out"
 for entry in "${matrix[@]}"; do
   while [[ $(jobs -rp | wc -l) -ge $jobs ]]; do
-    wait -n || failures=$((failures + 1))
+    wait -n || true
     say_progress
   done
   read -r surface seed <<<"$entry"
   run_one "$surface" "$seed" &
 done
 while [[ -n $(jobs -rp) ]]; do
-  wait -n || failures=$((failures + 1))
+  wait -n || true
   say_progress
 done
-[[ $failures -eq 0 ]] || fail "$failures of the runs did not finish"
+missing=$((${#matrix[@]} - $(finished_runs)))
+[[ $missing -eq 0 ]] || fail "$missing of the ${#matrix[@]} runs did not finish"
 [[ -z $only ]] || exit 0
 
 echo "=== Means and margins"

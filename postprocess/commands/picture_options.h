@@ -9,6 +9,10 @@ namespace ellipsoid::post {
 /// Refuses names of pictures that end neither in .svg nor in .png.
 CLI::Validator picture_name_check();
 
+/// A name with the time step in the place of its asterisk: ten digits, so that the names of a film
+/// are in the order of time.
+std::string name_with_step(const std::string& path, std::int64_t step);
+
 /// Words above a picture that has no other title.
 std::string frame_title(const ChosenFrame& chosen);
 

@@ -3,6 +3,8 @@
 
 #include "pile_commands.h"
 
+#include <fmt/format.h>
+
 namespace ellipsoid::post {
 
 const char* const pile_definition =
@@ -90,9 +92,21 @@ CoordinationOptions coordination_settings(const PileCommandOptions& options,
   return result;
 }
 
+Pile plane_pile(const ChosenFrame& chosen, const PileOptions& options) {
+  constexpr double noticeable = 0.01; // of b
+  Pile pile = find_pile(chosen.set, options);
+  if (!options.section && pile.out_of_plane > noticeable * pile.mean_b)
+    report_warning(
+        fmt::format("{}: centres lie up to {:.2g} b out of the plane z = {:.4g}: what is "
+                    "measured is the section there (--section); `heap` and `bed` measure "
+                    "particles in space",
+                    chosen.run, pile.out_of_plane / pile.mean_b, pile.section));
+  return pile;
+}
+
 PileResult analyse_pile(const PileCommandOptions& options, const ChosenFrame& chosen) {
   const PileOptions settings = plane_settings(options.plane);
-  PileResult result{settings, find_pile(chosen.set, settings), {}, frame_row(chosen)};
+  PileResult result{settings, plane_pile(chosen, settings), {}, frame_row(chosen)};
   const Pile& pile = result.pile;
   warn_of_digits(chosen);
   append_pile(result.row, chosen.set, pile, settings);

@@ -25,6 +25,9 @@ PorosityOptions porosity_settings(const PileCommandOptions& options);
 CoordinationOptions coordination_settings(const PileCommandOptions& options,
                                           const PileOptions& pile, double mean_b);
 
+/// The pile of a frame; warns when its particles do not lie in one plane and no section was chosen.
+Pile plane_pile(const ChosenFrame& chosen, const PileOptions& options);
+
 /// The fitted flank beside the wall, or both of a pile without a wall, the left one first.
 /// Throws InputError where the surface is too short.
 std::vector<ReposeAngle> fitted_flanks(const Pile& pile, const PileOptions& options);

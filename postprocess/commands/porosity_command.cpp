@@ -9,7 +9,7 @@ namespace {
 
 Row porosity_row(const PileCommandOptions& options, const ChosenFrame& chosen) {
   const PileOptions settings = plane_settings(options.plane);
-  const Pile pile = find_pile(chosen.set, settings);
+  const Pile pile = plane_pile(chosen, settings);
   Row row = frame_row(chosen);
   append_pile(row, chosen.set, pile, settings);
   append_porosity(

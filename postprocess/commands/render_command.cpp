@@ -21,7 +21,7 @@ struct RenderOptions {
 
 void render(const RenderOptions& options, const ChosenFrame& chosen) {
   const PileOptions settings = plane_settings(options.plane);
-  const Pile pile = find_pile(chosen.set, settings);
+  const Pile pile = plane_pile(chosen, settings);
   PilePictureOptions picture = options.picture;
   picture.show_fit = !options.no_fit;
   if (options.view.size() == 4)
@@ -50,6 +50,13 @@ void add_force_chain_options(CLI::App& command, ContactListOptions& options) {
 
 } // namespace
 
+std::string name_with_step(const std::string& path, std::int64_t step) {
+  std::string name = path;
+  if (const auto star = name.find('*'); star != std::string::npos)
+    name.replace(star, 1, fmt::format("{:010d}", step));
+  return name;
+}
+
 std::string frame_title(const ChosenFrame& chosen) {
   return fmt::format("{} particles, time step {}", chosen.set.particles.size(),
                      chosen.frame.timestep);
@@ -62,9 +69,7 @@ CLI::Validator picture_name_check() {
 void write_pile_picture(const std::string& path, const ChosenFrame& chosen, const Pile& pile,
                         const PileOptions& pile_options, const std::vector<ReposeAngle>& flanks,
                         const PilePictureOptions& options) {
-  std::string name = path;
-  if (const auto star = name.find('*'); star != std::string::npos)
-    name.replace(star, 1, fmt::format("{}", chosen.frame.timestep));
+  const std::string name = name_with_step(path, chosen.frame.timestep);
   PilePictureOptions titled = options;
   if (titled.title.empty())
     titled.title = frame_title(chosen);

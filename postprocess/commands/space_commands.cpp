@@ -20,12 +20,6 @@ struct RenderSpaceOptions {
   bool is_bare = false;
 };
 
-std::string with_step(std::string path, std::int64_t step) {
-  if (const auto star = path.find('*'); star != std::string::npos)
-    path.replace(star, 1, fmt::format("{}", step));
-  return path;
-}
-
 /// The view, with the part that is to be seen turned upright.
 SpaceView view_of(const RenderSpaceOptions& options) {
   SpaceView view = options.view;
@@ -51,7 +45,7 @@ void render_space(const RenderSpaceOptions& options, const ChosenFrame& chosen) 
   const auto colours = particle_colours(chosen.frame, chosen.set, options.colour_by, low, high);
   const ParticleSet set = upright(chosen.set, options.up);
   const SpaceView view = view_of(options);
-  const std::string name = with_step(options.output, chosen.frame.timestep);
+  const std::string name = name_with_step(options.output, chosen.frame.timestep);
   const PictureFormat format = picture_format(name);
   if (options.is_bare && format != PictureFormat::png)
     throw InputError(name + ": --bare makes a PNG: choose a name that ends in .png");

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <memory>
+#include <set>
 
 namespace ellipsoid::post {
 namespace {
@@ -16,7 +17,7 @@ struct SummaryOptions {
   std::vector<std::string> files;
   std::vector<std::string> groups = {"surface", "subspheres"};
   std::vector<std::string> quantities = {"repose_angle_deg", "porosity", "zpp", "zss"};
-  bool names_quantities = false; ///< they are the user's choice
+  bool names_quantities = false, names_groups = false; ///< they are the user's choice
 };
 
 /// Every quantity that the user names must be there; of the usual ones at least one.
@@ -35,12 +36,26 @@ void require_columns(const SummaryOptions& options, const Table& runs) {
                                  options.files.front(), *missing, columns_found(runs)));
 }
 
+/// The columns that tell groups apart; files of both outlines are not mixed unless the user says
+/// so.
+std::vector<std::string> groups_for(const SummaryOptions& options, const Table& runs) {
+  std::vector<std::string> groups = options.groups;
+  std::set<std::string> outlines;
+  for (const Row& row : runs.rows)
+    if (const Value* outline = find_value(row, "outline"))
+      outlines.insert(shown(*outline));
+  if (!options.names_groups && outlines.size() > 1)
+    groups.push_back("outline");
+  return groups;
+}
+
 int summarise(const SummaryOptions& options) {
   const Table runs = read_csv_files(options.files, options.quantities);
+  const std::vector<std::string> groups = groups_for(options, runs);
   require_columns(options, runs);
-  const Table summary = summary_of(runs, options.groups, options.quantities);
+  const Table summary = summary_of(runs, groups, options.quantities);
   if (prints_text(options.output))
-    write_text("-", as_text(summary_for_people(runs, options.groups, options.quantities)));
+    write_text("-", as_text(summary_for_people(runs, groups, options.quantities)));
   FrameOptions files = options.output;
   files.quiet = true;
   write_table(files, summary);
@@ -55,17 +70,19 @@ void add_summary_command(CLI::App& program, int& exit_code) {
       "summary", "mean and margins over runs, from CSV files that `pile --csv` wrote");
   command->footer("Margin: half range (max - min) / 2, as the paper gives uncertainty margins; the "
                   "standard deviation is that of one run (n - 1). Rows with equal values of the "
-                  "--group columns form a group.");
+                  "--group columns form a group; without --group rows of different outlines (true, "
+                  "ellipse) are not mixed.");
   command->add_option("files", options->files, "CSV files, one row per run")->required();
-  command->add_option("--group", options->groups, "columns that tell the groups apart")
-      ->delimiter(',')
-      ->capture_default_str();
+  CLI::Option* group =
+      command->add_option("--group", options->groups, "columns that tell the groups apart");
+  group->delimiter(',')->capture_default_str();
   CLI::Option* quantity =
       command->add_option("--quantity", options->quantities, "columns to average");
   quantity->delimiter(',')->capture_default_str();
   add_output_options(*command, options->output);
-  command->callback([options, quantity, &exit_code] {
+  command->callback([options, quantity, group, &exit_code] {
     options->names_quantities = quantity->count() > 0;
+    options->names_groups = group->count() > 0;
     try {
       exit_code = summarise(*options);
     } catch (const InputError& error) {

@@ -212,7 +212,8 @@ std::string draw_pile(PictureFormat format, const Frame& frame, const ParticleSe
   const Projection to = projection(view, options.width);
   const double plane_height = (view.top - view.bottom) * to.scale;
   constexpr double most_pixels = 30000.0;
-  const double height = std::ceil(to.top + plane_height + bottom_margin * to.unit);
+  // an even number: programs that make films want it
+  const double height = 2.0 * std::ceil(0.5 * (to.top + plane_height + bottom_margin * to.unit));
   if (height > most_pixels)
     throw InputError(fmt::format("the picture would be {} pixels high (at most {}): choose a "
                                  "smaller --width or a --view",

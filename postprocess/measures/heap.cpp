@@ -79,11 +79,24 @@ double sector_angle(const Profile& profile, double height, double ring_width,
   return std::atan(-fit_line(points).slope) * 180.0 / pi;
 }
 
+/// Particles whose centres lie in one plane along an axis are no heap in space.
+void require_space(const ParticleSet& set) {
+  for (double Vector3::*axis : {&Vector3::x, &Vector3::y, &Vector3::z}) {
+    const double first = set.particles.front().centre.*axis;
+    const bool is_flat = std::all_of(set.particles.begin(), set.particles.end(),
+                                     [&](const Particle& p) { return p.centre.*axis == first; });
+    if (is_flat && set.particles.size() > 2)
+      throw InputError("all particles lie in one plane: this is no heap in space; piles in the "
+                       "plane are measured by `repose` and `porosity`");
+  }
+}
+
 } // namespace
 
 HeapAngle heap_angle(const ParticleSet& upright, const HeapOptions& options) {
   if (upright.particles.empty())
     throw InputError("a heap needs at least one particle, the frame has none");
+  require_space(upright);
   const std::vector<std::size_t> members = largest_cluster(upright, options.cluster_gap);
   const double mean_a = mean_largest_axis(upright, members);
   const double mean_b = mean_smallest_axis(upright, members);

@@ -14,10 +14,10 @@ A, B = 2.7e-3, 1.15e-3
 
 
 def post(*arguments, expect=0, stdin=None):
-    """Runs ellipsoid-post; checks its exit code; gives (stdout, stderr)."""
+    """Runs ellipsoid-post; checks its exit code (None: any); gives (stdout, stderr)."""
     done = subprocess.run([POST, *map(str, arguments)], capture_output=True, text=True,
                           input=stdin, timeout=300)
-    assert done.returncode == expect, (arguments, done.returncode, done.stdout, done.stderr)
+    assert expect in (done.returncode, None), (arguments, done.returncode, done.stdout, done.stderr)
     return done.stdout, done.stderr
 
 

@@ -64,4 +64,16 @@ if bash "$ELLIPSOID_SOURCE/inputs/campaign.sh" --out x --surfaces round 2>messag
   fail "a wrong surface was accepted"
 fi
 grep -q "surface 'round' is neither" message || fail "the message does not say what is wrong"
+for wrong in 4 3.5 0; do
+  if bash "$ELLIPSOID_SOURCE/inputs/campaign.sh" --out x --surfaces "smooth $wrong" 2>message; then
+    fail "surface $wrong was accepted"
+  fi
+  grep -q "surface '$wrong' is neither .* odd" message || fail "no word of the odd number"
+done
+if bash "$ELLIPSOID_SOURCE/inputs/campaign.sh" --out x --surfaces "smooth 5" --seeds 7 --jobs 2 -- \
+  -var dt -1 >broken.out 2>message; then
+  fail "a campaign whose runs stop was a success"
+fi
+grep -q "2 of the 2 runs did not finish" message || fail "stopped runs are counted wrongly: $(cat message)"
+[[ $(grep -c "^    ERROR" broken.out) -eq 2 ]] || fail "the engine's message is not shown"
 echo "passed"

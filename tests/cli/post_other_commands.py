@@ -122,7 +122,7 @@ def check_space():
     post("render3d", name, "-o", "bed.jpg", expect=2)
     post("render3d", name, "-o", "film_*.svg", "--colour", "id", "--colour-range", 0, 500, "--title",
          "A lattice")
-    with open("film_5.svg", encoding="utf8") as file:
+    with open("film_0000000005.svg", encoding="utf8") as file:
         text = file.read()
     assert text.count("<image ") == 1 and "data:image/png;base64" in text
     for words in "A lattice", ">0<", ">500<", ">id<", " mm<":
@@ -135,12 +135,19 @@ def check_space():
     assert "z0 < z1" in error
     _, error = post("render3d", name, "-o", "x.png", "--width", 1600, "--height", 100, expect=1)
     assert "--height" in error
+    for command in ("pile", "repose", "porosity", "render"):
+        more = ("-o", "bed.svg") if command == "render" else ("--no-wall",)
+        done = post(command, "bed.dump", *more, "--cut-top", 0, "--cut-bottom", 0, expect=None)
+        assert "out of the plane" in done[1] and "`bed`" in done[1], (command, done)
     (heap,) = json_of("heap", write("cone.dump", frame_text(7, cone(25, 0.03))), "--sectors", 6)
     # steps of 1.4 B over its 0.03 m of height
     assert abs(heap["repose_angle_deg"] - 25) < 1.5, heap
     assert abs(heap["axis_x_m"]) < B and heap["strays"] == 0
     _, error = post("heap", write("one.dump", frame_text(7, [particle(1, 0, 0)])), expect=1)
     assert "rings" in error
+    for up in "y", "z":
+        _, error = post("heap", write("plane.dump", frame_text(7, wedge())), "--up", up, expect=1)
+        assert "in one plane" in error and "`repose`" in error, error
 
 
 def check_contact_list():

@@ -98,7 +98,7 @@ def check_formats(reference):
     with open("pile.png", "rb") as file:
         assert file.read(8) == b"\x89PNG\r\n\x1a\n"
     post("render", "many.dump", "--frame", "all", "-o", "film_*.svg", "--colour", "angle")
-    assert os.path.exists("film_99.svg") and os.path.exists("film_100.svg")
+    assert os.path.exists("film_0000000099.svg") and os.path.exists("film_0000000100.svg")
 
 
 def check_fine_chains(reference):
@@ -146,6 +146,12 @@ def check_summary():
     assert 'runs.csv: expected a column "angle"' in error and "repose_angle_deg" in error
     _, error = post("summary", write("x.csv", "x,y\n1,2\n"), expect=1)
     assert 'x.csv: expected a column "repose_angle_deg"' in error
+    post("pile", "coarse.dump", "--outline", "ellipse", "--quiet", "--csv", "ellipse.csv")
+    rows = rows_of("summary", "runs.csv", "ellipse.csv")
+    assert [(row["subspheres"], row["outline"], row["runs"]) for row in rows] == [
+        ("5", "ellipse", "1"), ("5", "true", "1"), ("-", "true", "2")], rows
+    rows = rows_of("summary", "runs.csv", "ellipse.csv", "--group", "surface")
+    assert [(row["surface"], row["runs"]) for row in rows] == [("multisphere", "2"), ("smooth", "2")]
     for command in ("summary", write("words.csv", "surface,porosity\nsmooth,0.1\nsmooth,much\n")), \
             ("plot", 13, "words.csv", "-o", "figure13.svg"):
         _, error = post(*command, expect=1)

@@ -72,9 +72,9 @@ fix face all mesh/surface/planar file face.stl type 1 scale 1.
 fix fill all insert/stream seed 32452867 distributiontemplate mix nparticles 60 vel constant 0 0 -1.0 &
     orientation random particlerate 3000 overlapcheck yes insertion_face face extrude_length 0.012
 """
-        for ranks in 1, 2:
-            with self.subTest(ranks=ranks):
-                c, touching = self.insert(command, 3000, ranks=ranks)
+        for surface, ranks in ("smooth", 1), ("smooth", 2), ("multisphere", 2):
+            with self.subTest(surface, ranks=ranks):
+                c, touching = self.insert(command, 3000, surface, ranks)
                 self.check(c, touching, 25)
                 np.testing.assert_array_equal(c["vz"], -1.0)
 
@@ -84,9 +84,11 @@ region all block -0.03 0.03 -0.03 0.03 0.0 0.03 units box
 fix fill all insert/rate/region seed 32452867 distributiontemplate mix nparticles 60 particlerate 3000 &
     insert_every 500 overlapcheck yes vel constant 0 0 -1.0 orientation random region all ntry_mc 10000
 """
-        c, touching = self.insert(command, 1500)
-        self.check(c, touching, 40)
-        self.assertGreater(len(set(np.round(c["z"] + 0.0, 6))), 20)
+        for surface in "smooth", "multisphere":
+            with self.subTest(surface):
+                c, touching = self.insert(command, 1500, surface)
+                self.check(c, touching, 40)
+                self.assertGreater(len(set(np.round(c["z"] + 0.0, 6))), 20)
 
 
 class CreateAndSet(unittest.TestCase):
@@ -118,13 +120,16 @@ set atom 2 type 1
 
 
 class Prescribed(unittest.TestCase):
-    """A body on another one that is frozen or moved by the host."""
+    """A body on another one that is frozen or moved by the host: triaxial ones."""
+
+    AXES, SURFACE, SUBSPHERES = AXES, "smooth", ""
 
     def run_on(self, fix, steps, motion=MOTION.replace("all", "upper"), time_step=2e-6):
-        a, _, c = AXES
-        setup = Setup(time_step=time_step, damping_normal=20000.0, damping_tangential=20000.0)
-        bodies = [Particle((0.0, 0.0, 0.0), AXES), Particle((0.0, 0.0, 2 * c - 2e-6), AXES)]
-        run(setup.with_particles(bodies) + "group lower id 1\ngroup upper id 2\n" + motion + fix
+        c = self.AXES[2]
+        setup = Setup(time_step=time_step, damping_normal=20000.0, damping_tangential=20000.0,
+                      pair=f"gran/ellipsoid {LAW} surface {self.SURFACE}")
+        bodies = [Particle((0.0, 0.0, 0.0), self.AXES), Particle((0.0, 0.0, 2 * c - 2e-6), self.AXES)]
+        run(setup.with_particles(bodies) + self.SUBSPHERES + "group lower id 1\ngroup upper id 2\n" + motion + fix
             + f"run {steps}\n" + final())
         return last()
 
@@ -132,7 +137,7 @@ class Prescribed(unittest.TestCase):
         out = self.run_on("fix hold lower freeze\nfix gravity upper gravity 9.81 vector 0 0 -1\n", 4000)
         self.assertEqual([out[n][0] for n in ("x", "y", "z", "fx", "fy", "fz", "tqx", "tqy", "tqz")], [0.0] * 9)
         self.assertGreater(out["fz"][1] + out["mass"][1] * 9.81, 0.0)
-        self.assertAlmostEqual(out["z"][1], 2 * AXES[2], delta=1e-5)  # it rests on the frozen one
+        self.assertAlmostEqual(out["z"][1], 2 * self.AXES[2], delta=1e-5)  # it rests on the frozen one
 
     def test_move_linear_and_wiggle(self):
         out = self.run_on("fix go lower move linear 0.5 0 0 units box\n", 1000)
@@ -149,6 +154,11 @@ class Prescribed(unittest.TestCase):
         self.assertAlmostEqual(out["y"][0], -0.01, delta=1e-9)
         self.assertEqual(out["quat1"][0], 1.0)
         self.assertAlmostEqual(out["omegaz"][0], 2 * math.pi / 0.008, delta=1e-9)
+
+
+class PrescribedChains(Prescribed):
+    AXES, SURFACE = (2.7e-3, 1.1e-3, 1.1e-3), "multisphere"
+    SUBSPHERES = "fix subspheres all property/atom subspheres scalar yes yes no 9\n"
 
 
 def row_of_bodies(count=6):

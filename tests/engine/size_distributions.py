@@ -102,12 +102,16 @@ class Drawn(unittest.TestCase):
 
 
 class Polydisperse(unittest.TestCase):
-    """400 particles of sizes from 1 to 20, triaxial, oblate and prolate, of which many touch."""
+    """400 particles of sizes from 1 to 20, of which many touch: triaxial, oblate and prolate ones, or
+    chains of 7 spheres of three aspect ratios."""
 
-    def particles(self):
+    SHAPES = {"smooth": [[1.0, 0.7, 0.5], [1.0, 1.0, 0.5], [1.0, 0.5, 0.5]],
+              "multisphere": [[1.0, 0.7, 0.7], [1.0, 0.6, 0.6], [1.0, 0.5, 0.5]]}
+
+    def particles(self, surface="smooth"):
         random = np.random.default_rng(3)
         large = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
-        shapes = np.array([[1.0, 0.7, 0.5], [1.0, 1.0, 0.5], [1.0, 0.5, 0.5]])
+        shapes = np.array(self.SHAPES[surface])
         particles = [Particle(tuple(8.5e-3 * np.array(p)), tuple(0.01 * shapes[k % 3]),
                               quaternion_of(random.normal(size=3), random.uniform(0, 6)))
                      for k, p in enumerate(large)]
@@ -118,10 +122,18 @@ class Polydisperse(unittest.TestCase):
         return particles
 
     def test_neighbour_lists_find_every_contact(self):
+        self.compare_lists("smooth", "smooth")
+
+    def test_neighbour_lists_find_every_contact_of_chains(self):
+        self.compare_lists("multisphere", "multisphere contacts 49",
+                           "neigh_modify delay 0 page 1000000\nfix subspheres all property/atom subspheres "
+                           "scalar yes yes no 7\n")
+
+    def compare_lists(self, surface, settings, more=""):
         forces, contacts = {}, {}
         for style in "nsq", "bin":
-            setup = Setup(box=(-0.04, 0.04) * 3, skin=5e-4)
-            script = setup.with_particles(self.particles()).replace(" bin\n", f" {style}\n")
+            setup = Setup(box=(-0.04, 0.04) * 3, skin=5e-4, pair=f"gran/ellipsoid {LAW} surface {settings}")
+            script = setup.with_particles(self.particles(surface)).replace(" bin\n", f" {style}\n") + more
             if style == "nsq":  # the oracle: every pair is a neighbour
                 script = script.replace(f"neighbor        {setup.skin}", "neighbor        0.03")
             script += "compute c all contacts/ellipsoid\nthermo_style custom step c_c[1] c_c[3] c_c[6]\n"
