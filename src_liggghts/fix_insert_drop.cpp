@@ -23,8 +23,8 @@ using ellipsoid_host::vector;
 
 namespace {
 
-/// Begins the state in restart files; files without it begin with a number of particles, and end before
-/// the step of the next try.
+/// Begins the state in restart files; files without it begin with a number of particles, and end
+/// before the step of the next try.
 constexpr double with_next_try = -1.0;
 
 } // namespace

@@ -16,8 +16,8 @@ using LAMMPS_NS::LAMMPS;
 
 namespace {
 
-/// As command write_restart: particles may have moved since the neighbour lists were built, out of a
-/// periodic box or to another rank.
+/// As command write_restart: particles may have moved since the neighbour lists were built, out of
+/// a periodic box or to another rank.
 void exchange_particles(LAMMPS* lmp) {
   lmp->modify->setup_pre_exchange();
   if (lmp->domain->triclinic)
@@ -31,8 +31,8 @@ void exchange_particles(LAMMPS* lmp) {
     lmp->domain->lamda2x(lmp->atom->nlocal + lmp->atom->nghost);
 }
 
-/// As command run does: sorted particles, new neighbour lists, forces with the velocities of the full
-/// step.
+/// As command run does: sorted particles, new neighbour lists, forces with the velocities of the
+/// full step.
 void set_up(LAMMPS* lmp) {
   const int builds = lmp->neighbor->ncalls;
   lmp->update->integrate->setup_minimal(1);

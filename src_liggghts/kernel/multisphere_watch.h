@@ -69,13 +69,12 @@ class ContactWatch {
   void for_each_touching(std::size_t pair, const ChainPose& i, const ChainPose& j,
                          const Vector3& centre_distance, const OnTouch& on_touch) {
     const Vector3 axis_i = i.scale * i.axis, axis_j = j.scale * j.axis;
-    SphereContact contact;
     for (SpherePair *s = begin(pair), *last = end(pair); s != last; ++s) {
       const Vector3 distance = centre_distance + (s->centre_j * axis_j - s->centre_i * axis_i);
       const double sum = (1.0 + search_rounding) * (i.scale * s->radius_i + j.scale * s->radius_j);
       if (dot(distance, distance) < sum * sum &&
-          touch(i, j, centre_distance, s->sphere_i, s->sphere_j, contact))
-        on_touch(*s, static_cast<const SphereContact&>(contact));
+          touch(i, j, centre_distance, s->sphere_i, s->sphere_j, contact_))
+        on_touch(*s, static_cast<const SphereContact&>(contact_));
     }
   }
 
@@ -88,6 +87,7 @@ class ContactWatch {
   std::vector<Watched> watched_;
   std::vector<SpherePair> spheres_;
   std::vector<SpherePair> found_;
+  SphereContact contact_; // here, not to be cleared for every pair
 
   int find(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance, double gap);
   void keep_found(std::size_t pair);

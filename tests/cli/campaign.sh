@@ -37,7 +37,7 @@ echo "--- killed"
 setsid bash "$ELLIPSOID_SOURCE/inputs/campaign.sh" --out killed "${matrix[@]}" --jobs 2 -- \
   "${variables[@]}" >killed.out 2>&1 &
 campaign_group=$!
-for _ in $(seq 3000); do
+for _ in $(seq 12000); do
   [[ $(newest_step killed/smooth_seed1) -lt $rest ]] || break
   sleep 0.02
 done

@@ -60,7 +60,8 @@ class StockDumps(unittest.TestCase):
         if os.environ["ELLIPSOID_VTK"] != "1":
             outcome = run(simulate() + "run 0\n", check=False)
             self.assertEqual(outcome.code, 1)
-            self.assertIn("custom/vtk", outcome.text)
+            self.assertIn("Unknown dump style 'custom/vtk'; correct it (those with 'vtk' need an engine built "
+                          "with VTK)", outcome.text)
             return
         run(simulate() + "run 0\n")
         arrays = read_vtk("some.0.vtk")

@@ -187,7 +187,7 @@ class WholeFiles(unittest.TestCase):
 
 
 class Killed(unittest.TestCase):
-    STEPS, EVERY = 3000, 1
+    STEPS, EVERY, KILLS = 2000, 1, 6
 
     def test_killed_at_any_moment_it_goes_on(self):
         """And ends, digit by digit, as the run that was left alone."""
@@ -199,7 +199,7 @@ class Killed(unittest.TestCase):
         whole = Path("whole.dump").read_text()
         random = np.random.default_rng(8)
         writing = 0
-        for k in range(10):
+        for k in range(self.KILLS):
             writing += self.kill(script("a.restart b.restart") + f"run {self.STEPS}\n", k, random)
             steps = {}
             for file in "a.restart", "b.restart":  # both are whole
@@ -212,7 +212,7 @@ class Killed(unittest.TestCase):
             run(reads(steps[last], f"restart {self.EVERY} c.restart d.restart\n" + end.format(f"resumed{k}")),
                 name=f"in.resumed{k}")
             self.assertEqual(whole, Path(f"resumed{k}.dump").read_text(), f"went on from step {last}")
-        print(f"killed while writing: {writing} of 10 times")
+        print(f"killed while writing: {writing} of {self.KILLS} times")
 
     @staticmethod
     def kill(script, number, random):
