@@ -107,6 +107,10 @@ void draw_walls(Canvas& canvas, const Projection& to, const PileOptions& options
     canvas.rectangle({low_left.x - width, top_right.y}, width, low_left.y - top_right.y, solid);
 }
 
+bool shows(const PileView& view, const Point& p) {
+  return p.x() >= view.left && p.x() <= view.right && p.y() >= view.bottom && p.y() <= view.top;
+}
+
 void draw_fit(Canvas& canvas, const Projection& to, const PileOptions& options,
               const ReposeAngle& angle) {
   Style dashed, thick, dot;
@@ -230,8 +234,8 @@ std::string draw_pile(PictureFormat format, const Frame& frame, const ParticleSe
   draw_force_chains(*canvas, to, pile, options.force_chains);
   canvas->end_clip();
   draw_walls(*canvas, to, pile_options);
-  if (options.show_fit && !options.view)
-    for (const ReposeAngle& flank : flanks)
+  for (const ReposeAngle& flank : flanks)
+    if (options.show_fit && shows(view, flank.a) && shows(view, flank.b))
       draw_fit(*canvas, to, pile_options, flank);
   const double below = to.top + plane_height + 58.0 * to.unit;
   draw_scale_bar(*canvas, {to.left, below}, to.scale, view.right - view.left, to.unit);

@@ -97,6 +97,10 @@ def check_formats(reference):
         assert file.read().count("<ellipse") == 2 * len(wedge())
     with open("pile.png", "rb") as file:
         assert file.read(8) == b"\x89PNG\r\n\x1a\n"
+    for view, count in ((0, 0.2, 0, 0.1), 1), ((0, 0.03, 0, 0.02), 0):  # A and B are in the first
+        post("render", "one.dump", "-o", "view.svg", "--view", *view)
+        with open("view.svg", encoding="utf8") as file:
+            assert file.read().count(">A<") == count, view
     post("render", "many.dump", "--frame", "all", "-o", "film_*.svg", "--colour", "angle")
     assert os.path.exists("film_0000000099.svg") and os.path.exists("film_0000000100.svg")
 
