@@ -2,8 +2,8 @@
 //
 // The pair loop of pair_style gran/ellipsoid, as far as it is the same for all surfaces: walks over
 // the neighbour list, calls the contact models, adds up forces and torques. The host's own loop
-// (pair_gran_base.h) knows one contact per pair, on the line of centres. What the contacts of a pair
-// are is for the derived classes (smooth_contact_loop.h, multisphere_contact_loop.h).
+// (pair_gran_base.h) knows one contact per pair, on the line of centres. What the contacts of a
+// pair are is for the derived classes (smooth_contact_loop.h, multisphere_contact_loop.h).
 #ifndef ELLIPSOID_CONTACT_LOOP_H_
 #define ELLIPSOID_CONTACT_LOOP_H_
 
@@ -17,8 +17,8 @@
 #include "force.h"
 #include "neigh_list.h"
 #include "neighbor.h"
-#include "particle_arrays.h"
 #include "pair_gran_ellipsoid.h"
+#include "particle_arrays.h"
 #include "settings.h"
 #include "update.h"
 
@@ -42,6 +42,7 @@ using SearchHistory = std::vector<std::pair<std::string, bool>>;
 /// @tparam Surface the derived class. It has
 ///          - prepare(): before the first pair; returns whether the neighbour lists are new;
 ///          - begin_lists(pairs): after that, if they are;
+///          - prefetch_particle(i): asks the processor for the data of a particle;
 ///          - travelled(i): how far any point of particle i has moved at most since then (length),
 ///            and travel_bound(), by which no particle's value grows less than it does;
 ///          - treat_pair(i, j, pair, travelled, flag, history), `pair` the place in the lists and
@@ -51,13 +52,13 @@ using SearchHistory = std::vector<std::pair<std::string, bool>>;
 /// @tparam Model   the host's ContactModel<...>
 template <typename Surface, typename Model>
 class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPairStyle {
-public:
+ public:
   /// @param[in] search_history what the search remembers of a pair or contact: (name, flips) each;
   ///            these values come first in the history, those of the models follow
   EllipsoidContactLoop(LAMMPS* lmp, PairGranEllipsoid* pair, int64_t hash,
                        const SearchHistory& search_history)
-      : Pointers(lmp), pair_(pair), model_((reserve(pair, search_history), lmp), pair, false, hash) {
-  }
+      : Pointers(lmp), pair_(pair),
+        model_((reserve(pair, search_history), lmp), pair, false, hash) {}
 
   int64_t hashcode() override { return model_.hashcode(); }
   int get_history_offset(const std::string name) override {
@@ -99,32 +100,22 @@ public:
   void compute_force(PairGran*, int eflag, int vflag, int addflag) override {
     begin(eflag, vflag, addflag);
     Surface& surface = static_cast<Surface&>(*this);
-    if (surface.prepare())
-      surface.begin_lists(wake_all());
+    const bool new_lists = surface.prepare();
+    if (new_lists)
+      surface.begin_lists(begin_lists());
     counts_.values[ContactCounts::near_pairs] = near_pairs_;
-    wake_pairs();
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < awake_.size(); ++k) {
-      const AwakePair& pair = awake_[k];
-      prefetch(k + pairs_ahead);
-      const double travelled = surface.travelled(pair.i) + surface.travelled(pair.j);
-      const double gap = surface.treat_pair(pair.i, pair.j, pair.place, travelled, *pair.flag, pair.history);
-      if (gap > 0.0) {
-        put_to_sleep(pair, travelled, trusted_share_of_gap * gap);
-        continue;
-      }
-      const bool touches = *pair.flag != 0;
-      if (kept != k)
-        awake_[kept] = pair;
-      awake_[kept++].touched = touches;
+    if (new_lists) {
+      treat_all_pairs();
+    } else {
+      wake_pairs();
+      treat_awake_pairs();
     }
-    awake_.resize(kept);
     surface.finish();
     apply_waiting_contacts();
     end();
   }
 
-protected:
+ protected:
   PairGranEllipsoid* pair_;
   Model model_;
   SurfacesIntersectData contact_;
@@ -139,8 +130,8 @@ protected:
   const double* rigid_masses_ = nullptr; // of the bodies that particles belong to
 
   // Surfaces that are apart cannot touch before the two particles have travelled their gap: until
-  // then the pair sleeps. One value per pair of the neighbour lists (never: it is awake). A row of the
-  // lists needs no look before its particle's travel and the bound of all others have reached
+  // then the pair sleeps. One value per pair of the neighbour lists (never: it is awake). A row of
+  // the lists needs no look before its particle's travel and the bound of all others have reached
   // its own value.
   static constexpr double never = std::numeric_limits<double>::infinity();
   std::vector<double> asleep_until_, row_asleep_until_;
@@ -176,12 +167,13 @@ protected:
 
   /// Gap between the bounding spheres, 0 if they overlap.
   double bounding_gap(int i, int j, const ellipsoid::Vector3& distance) const {
-    const double reach = particles_.radius[i] + particles_.radius[j], squared = dot(distance, distance);
+    const double reach = particles_.radius[i] + particles_.radius[j],
+                 squared = dot(distance, distance);
     return squared < reach * reach ? 0.0 : std::sqrt(squared) - reach;
   }
 
   /// Returns the number of pairs in the neighbour lists.
-  std::size_t wake_all() {
+  std::size_t begin_lists() {
     const NeighList* list = pair_->list;
     std::size_t pairs = 0;
     near_pairs_ = 0.0;
@@ -191,10 +183,59 @@ protected:
       for (int jj = 0; jj < list->numneigh[i]; ++jj)
         near_pairs_ += share(list->firstneigh[i][jj] & NEIGHMASK);
     }
-    asleep_until_.assign(pairs, 0.0);
-    row_asleep_until_.assign(static_cast<std::size_t>(list->inum), 0.0);
+    asleep_until_.assign(pairs, never);
+    row_asleep_until_.assign(static_cast<std::size_t>(list->inum), never);
     awake_.clear();
     return pairs;
+  }
+
+  AwakePair pair_at(int row, int i, int jj, std::size_t place) const {
+    return {place,
+            row,
+            i,
+            pair_->list->firstneigh[i][jj] & NEIGHMASK,
+            false,
+            &pair_->listgranhistory->firstneigh[i][jj],
+            &pair_->listgranhistory->firstdouble[i][history_values_ * jj]};
+  }
+
+  /// Returns whether the pair stays awake.
+  bool treat(const AwakePair& pair) {
+    Surface& surface = static_cast<Surface&>(*this);
+    const double travelled = surface.travelled(pair.i) + surface.travelled(pair.j);
+    const double gap =
+        surface.treat_pair(pair.i, pair.j, pair.place, travelled, *pair.flag, pair.history);
+    if (gap > 0.0)
+      put_to_sleep(pair, travelled, trusted_share_of_gap * gap);
+    return !(gap > 0.0);
+  }
+
+  void treat_all_pairs() {
+    const NeighList* list = pair_->list;
+    std::size_t place = 0;
+    for (int ii = 0; ii < list->inum; ++ii) {
+      const int i = list->ilist[ii];
+      for (int jj = 0; jj < list->numneigh[i]; ++jj, ++place) {
+        const AwakePair pair = pair_at(ii, i, jj, place);
+        if (treat(pair))
+          awake_.push_back(pair);
+      }
+    }
+  }
+
+  void treat_awake_pairs() {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < awake_.size(); ++k) {
+      const AwakePair& pair = awake_[k];
+      prefetch(k + pairs_ahead);
+      if (!treat(pair))
+        continue;
+      const bool touches = *pair.flag != 0;
+      if (kept != k)
+        awake_[kept] = pair;
+      awake_[kept++].touched = touches;
+    }
+    awake_.resize(kept);
   }
 
   /// Adds to the pairs that are awake those whose time has come.
@@ -231,8 +272,7 @@ protected:
         continue;
       }
       asleep_until_[place] = never;
-      awake_.push_back({place, row, i, j, false, &pair_->listgranhistory->firstneigh[i][jj],
-                        &pair_->listgranhistory->firstdouble[i][history_values_ * jj]});
+      awake_.push_back(pair_at(row, i, jj, place));
     }
     row_asleep_until_[static_cast<std::size_t>(row)] =
         travelled_i + surface.travel_bound() + trusted_share_of_gap * least;
@@ -253,6 +293,7 @@ protected:
     __builtin_prefetch(awake_[k].flag, 1);
     __builtin_prefetch(awake_[k].history, 1);
     __builtin_prefetch(awake_[k].history + doubles_per_cache_line, 1);
+    static_cast<const Surface&>(*this).prefetch_particle(awake_[k].j);
   }
 
   void put_to_sleep(const AwakePair& pair, double until) {
@@ -321,12 +362,12 @@ protected:
 
   /// One contact.
   struct Touch {
-    ellipsoid::Vector3 normal;  ///< unit, from i to j
-    ellipsoid::Vector3 point;   ///< relative to the centre of i (length)
+    ellipsoid::Vector3 normal; ///< unit, from i to j
+    ellipsoid::Vector3 point;  ///< relative to the centre of i (length)
     double overlap, reduced_radius;
-    double radius_i, radius_j;  ///< of the local spheres (length)
+    double radius_i, radius_j; ///< of the local spheres (length)
     double* history;
-    double weight = 1.0;        ///< of its force in the sum
+    double weight = 1.0; ///< of its force in the sum
     int sphere_i = -1, sphere_j = -1;
   };
 
@@ -365,15 +406,20 @@ protected:
     using ellipsoid_host::vector;
     const int i = pair.i, j = pair.j;
     *pair.flag |= CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
-    waiting_contacts_[law_batch_.size()] = {i, j, pair.flag, touch.history, touch.weight,
-                                            touch.radius_i, touch.radius_j, touch.sphere_i,
+    waiting_contacts_[law_batch_.size()] = {i,
+                                            j,
+                                            pair.flag,
+                                            touch.history,
+                                            touch.weight,
+                                            touch.radius_i,
+                                            touch.radius_j,
+                                            touch.sphere_i,
                                             touch.sphere_j};
     law_batch_.add({-touch.normal, touch.point, touch.point - pair.distance,
                     std::max(0.0, touch.overlap), touch.reduced_radius},
                    {vector(particles_.v[i]) - vector(particles_.v[j]), vector(particles_.omega[i]),
                     vector(particles_.omega[j])},
-                   tables_.parameters(particles_.type[i], particles_.type[j],
-                                      pair.effective_mass),
+                   tables_.parameters(particles_.type[i], particles_.type[j], pair.effective_mass),
                    vector(&touch.history[spring_offset_]));
     if (law_batch_.full())
       apply_waiting_contacts();
@@ -426,13 +472,12 @@ protected:
   __attribute__((noinline)) void report_action(const WaitingContact& contact,
                                                const ellipsoid::ContactPlace& place,
                                                const ellipsoid::ContactAction& action) {
-    const Touch touch{-place.normal, place.lever_i, place.overlap, place.reduced_radius,
+    const Touch touch{-place.normal,    place.lever_i,    place.overlap,   place.reduced_radius,
                       contact.radius_i, contact.radius_j, contact.history, contact.weight,
                       contact.sphere_i, contact.sphere_j};
-    const SurfacesIntersectData c =
-        record(touching_pair(contact.i, contact.j, centre_distance(contact.i, contact.j),
-                             *contact.flag),
-               touch);
+    const SurfacesIntersectData c = record(
+        touching_pair(contact.i, contact.j, centre_distance(contact.i, contact.j), *contact.flag),
+        touch);
     ForceData force_i, force_j;
     ellipsoid_host::store(touch.weight * action.force, force_i.delta_F);
     ellipsoid_host::store(-touch.weight * action.force, force_j.delta_F);

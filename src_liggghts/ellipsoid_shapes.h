@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// The ellipsoids of owned and ghost particles as the contact search takes them: A = R diag R^T, made
-// once per particle and time step, and only of particles that are asked for.
+// The ellipsoids of owned and ghost particles as the contact search takes them: A = R diag R^T,
+// made once per particle and time step, and only of particles that are asked for.
 #ifndef ELLIPSOID_SHAPES_H_
 #define ELLIPSOID_SHAPES_H_
 
@@ -15,7 +15,7 @@
 namespace LIGGGHTS {
 
 class EllipsoidShapes {
-public:
+ public:
   /// Particles have moved: all shapes are made anew when they are asked for. References to shapes
   /// are good until the next call.
   void begin_step(const LAMMPS_NS::Atom& atom) {
@@ -33,7 +33,12 @@ public:
     return shapes_[index];
   }
 
-private:
+  /// Where the shape of particle i is or will be.
+  const ellipsoid::EllipsoidShape* address(int i) const {
+    return &shapes_[static_cast<std::size_t>(i)];
+  }
+
+ private:
   ParticleArrays particles_;
   std::vector<ellipsoid::EllipsoidShape> shapes_;
   std::vector<char> fresh_;

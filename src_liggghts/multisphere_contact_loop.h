@@ -3,9 +3,9 @@
 // Contacts of multi-sphere ellipsoids: every touching pair of sub-spheres is a contact of its own
 // (Markauskas et al. 2010, section 3.4).
 //
-// The history of a pair is a row of equal slots, one per contact. A slot starts with its key: the sum
-// of the two sphere numbers + 1 (0: free) and their difference, which changes sign when the pair is
-// seen from j; the values of the contact models follow.
+// The history of a pair is a row of equal slots, one per contact. A slot starts with its key: the
+// sum of the two sphere numbers + 1 (0: free) and their difference, which changes sign when the
+// pair is seen from j; the values of the contact models follow.
 #ifndef MULTISPHERE_CONTACT_LOOP_H_
 #define MULTISPHERE_CONTACT_LOOP_H_
 
@@ -26,7 +26,7 @@ class MultisphereContactLoop : public EllipsoidContactLoop<MultisphereContactLoo
   using Base::model_;
   using Base::pair_;
 
-public:
+ public:
   MultisphereContactLoop(LAMMPS* lmp, PairGranEllipsoid* pair, int64_t hash)
       : Base(lmp, pair, hash, {{"spheres", false}, {"sphere_difference", true}}), particles_(lmp) {}
 
@@ -39,7 +39,7 @@ public:
     pair_->repeat_history(slots_);
   }
 
-private:
+ private:
   enum { key_sum, key_difference }; // offsets in a slot
   using SpherePair = ellipsoid::ContactWatch::SpherePair;
 
@@ -59,6 +59,12 @@ private:
   /// Whether the neighbour lists are new.
   bool prepare() { return particles_.update(); }
   void begin_lists(std::size_t pairs) { watch_.restart(pairs); }
+  __attribute__((always_inline)) void prefetch_particle(int i) const {
+    __builtin_prefetch(&particles_.pose(i));
+    __builtin_prefetch(Base::particles_.x[i]);
+    __builtin_prefetch(Base::particles_.v[i]);
+    __builtin_prefetch(Base::particles_.omega[i]);
+  }
   double travelled(int i) const { return particles_.travelled(i); }
   double travel_bound() const { return particles_.travel_bound(); }
   void finish() {}
@@ -93,8 +99,8 @@ private:
     const int spheres =
         std::max(particles_.pose(i).chain->count(), particles_.pose(j).chain->count());
     const double steps = std::min(look_ahead, look_ahead_of_chain / spheres);
-    return std::clamp(steps * this->update->dt * (speed(i) + speed(j)),
-                      smallest_gap_share * radii, largest_gap_share * radii);
+    return std::clamp(steps * this->update->dt * (speed(i) + speed(j)), smallest_gap_share * radii,
+                      largest_gap_share * radii);
   }
 
   void find_touching(int i, int j, std::size_t pair, const ellipsoid::Vector3& distance) {
@@ -125,14 +131,15 @@ private:
     }
   }
 
-  /// After a search: which of its spheres have a slot from before. Contacts of other spheres are over.
+  /// After a search: which of its spheres have a slot from before. Contacts of other spheres are
+  /// over.
   void recall_slots(int i, int j, std::size_t pair, int& flag, double* history) {
     for (int s = 0; s < slots_; ++s) {
       double* slot = &history[slot_values_ * s];
       if (slot[key_sum] == 0.0)
         continue;
-      SpherePair* found = std::find_if(
-          watch_.begin(pair), watch_.end(pair), [slot](const SpherePair& candidate) {
+      SpherePair* found =
+          std::find_if(watch_.begin(pair), watch_.end(pair), [slot](const SpherePair& candidate) {
             return slot[key_sum] == candidate.sphere_i + candidate.sphere_j + 1 &&
                    slot[key_difference] == candidate.sphere_i - candidate.sphere_j;
           });
@@ -176,11 +183,11 @@ private:
   }
 
   void complain_of_slots(int i, int j) {
-    error->one(FLERR, ("pair_style gran/ellipsoid: atoms " + std::to_string(atom->tag[i]) +
-                       " and " + std::to_string(atom->tag[j]) + " touch at " +
-                       std::to_string(found_.size()) + " places, setting 'contacts' allows " +
-                       std::to_string(slots_) + "; raise it")
-                          .c_str());
+    error->one(FLERR,
+               ("pair_style gran/ellipsoid: atoms " + std::to_string(atom->tag[i]) + " and " +
+                std::to_string(atom->tag[j]) + " touch at " + std::to_string(found_.size()) +
+                " places, setting 'contacts' allows " + std::to_string(slots_) + "; raise it")
+                   .c_str());
   }
 };
 

@@ -2,8 +2,8 @@
 //
 // Contacts of smooth ellipsoids: at most one per pair.
 //
-// The history of a pair starts with what the search remembers: the unit normal from j to i (it flips
-// with the order of the pair, as the host's flag 1 says) and whether the pair touched.
+// The history of a pair starts with what the search remembers: the unit normal from j to i (it
+// flips with the order of the pair, as the host's flag 1 says) and whether the pair touched.
 #ifndef SMOOTH_CONTACT_LOOP_H_
 #define SMOOTH_CONTACT_LOOP_H_
 
@@ -21,12 +21,12 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
   using Base::contact_;
   using Base::counts_;
 
-public:
+ public:
   SmoothContactLoop(LAMMPS* lmp, PairGranEllipsoid* pair, int64_t hash)
       : Base(lmp, pair, hash,
              {{"normalx", true}, {"normaly", true}, {"normalz", true}, {"touching", false}}) {}
 
-private:
+ private:
   enum { normal_x, normal_y, normal_z, was_touching }; // offsets in the history
 
   EllipsoidShapes shapes_;
@@ -38,6 +38,13 @@ private:
     return new_lists;
   }
   void begin_lists(std::size_t) {}
+  /// What the search and the law will read of a particle.
+  __attribute__((always_inline)) void prefetch_particle(int i) const {
+    __builtin_prefetch(shapes_.address(i), 1);
+    __builtin_prefetch(this->particles_.x[i]);
+    __builtin_prefetch(this->particles_.v[i]);
+    __builtin_prefetch(this->particles_.omega[i]);
+  }
   double travelled(int i) const { return paths_[i]; }
   double travel_bound() const { return paths_.bound(); }
 
@@ -48,11 +55,6 @@ private:
   /// what happened before it, nor on whether the run was interrupted.
   double treat_pair(int i, int j, std::size_t, double, int& flag, double* history) {
     const ellipsoid::Vector3 distance = this->centre_distance(i, j);
-    const double bounding_gap = this->bounding_gap(i, j, distance);
-    if (bounding_gap > 0.0) {
-      forget(i, j, flag, history);
-      return bounding_gap;
-    }
     const ellipsoid::Vector3 remembered = -ellipsoid_host::vector(&history[normal_x]);
     const bool has_normal = dot(remembered, remembered) > 0.5; // unit vector, or zero
     if (has_normal && history[was_touching] != 0.0) {
@@ -61,6 +63,11 @@ private:
       if (batch_.full())
         finish();
       return 0.0;
+    }
+    const double bounding_gap = this->bounding_gap(i, j, distance);
+    if (bounding_gap > 0.0) {
+      forget(i, j, flag, history);
+      return bounding_gap;
     }
     if (has_normal) {
       const double gap = -overlap_along(shape(i), shape(j), distance, remembered);
@@ -130,8 +137,9 @@ private:
     if (contact_.computeflag)
       pair.history[was_touching] = 1.0;
     *pair.flag |= CONTACT_SURFACE_MODEL;
-    typename Base::Touch touch{geometry.normal, geometry.point, geometry.overlap,
-                               geometry.reduced_radius, scale * r_i, scale * r_j, pair.history};
+    typename Base::Touch touch{
+        geometry.normal, geometry.point, geometry.overlap, geometry.reduced_radius,
+        scale * r_i,     scale * r_j,    pair.history};
     this->add_contact(this->touching_pair(pair.i, pair.j, pair.distance, *pair.flag), touch);
   }
 };
