@@ -30,17 +30,19 @@ class CellGrid {
     find_neighbour_columns();
   }
 
-  /// Calls visit(j) for every ball j != i that overlaps ball i.
-  template <class Visitor> void for_neighbours(std::size_t i, const Visitor& visit) const {
+  /// Calls visit(j) for every ball j > i that overlaps ball i.
+  template <class Visitor> void for_later_neighbours(std::size_t i, const Visitor& visit) const {
     const std::size_t home = m_cell_of_ball[i];
     for (std::size_t k = 0; k < column_count; ++k) {
       const std::uint64_t last = m_cell_keys[home] + column_shift(k) + 1;
       for (std::size_t place = m_columns[home][k];
            place < m_balls.size() && m_balls[place].cell_key <= last; ++place) {
         const std::size_t j = m_balls[place].index;
+        if (j <= i)
+          continue;
         const Vector3 d = m_centres[j] - m_centres[i];
         const double reach = m_radii[i] + m_radii[j];
-        if (j != i && dot(d, d) <= reach * reach)
+        if (dot(d, d) <= reach * reach)
           visit(j);
       }
     }

@@ -2,9 +2,11 @@
 #include "contacts.h"
 
 #include "cell_grid.h"
-#include "ellipsoid_contact.h"
+#include "contact_batch.h"
+#include "disjoint_sets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ellipsoid::post {
@@ -28,6 +30,9 @@ double bounding_radius(const ParticleSet& set, const Particle& p) {
 
 SearchBodies search_bodies(const ParticleSet& set, double gap) {
   SearchBodies bodies;
+  bodies.smooth.reserve(set.particles.size());
+  bodies.centres.reserve(set.particles.size());
+  bodies.radii.reserve(set.particles.size());
   const Vector3 half_gap{0.5 * gap, 0.5 * gap, 0.5 * gap};
   for (const Particle& p : set.particles) {
     bodies.smooth.push_back(make_shape(p.semiaxes + half_gap, p.orientation));
@@ -37,7 +42,83 @@ SearchBodies search_bodies(const ParticleSet& set, double gap) {
   return bodies;
 }
 
-/// Adds the contacts of one pair of particles to the network.
+/// What one look at two ellipsoids tells, before any search.
+struct FirstLook {
+  bool are_apart = false; ///< proved by `normal`
+  bool touch = false;     ///< proved by a point inside both
+  Vector3 normal;         ///< unit, from i to j: near the contact's (not set where they are apart)
+};
+
+/// The function of Perram and Wertheim (1985, J. Comput. Phys. 58, 409) at lambda = 1/2: with
+/// y = (A_i + A_j)^-1 d the point x_i + A_i y lies at the levels y^T A_i y and y^T A_j y of the
+/// bodies (1: surface), and y is the normal of a plane that separates them when
+/// s_i(y) + s_j(y) < y.d. Exact for bodies alike; what is in between is left to the search.
+FirstLook first_look(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& d) {
+  // far above the rounding of the most slender bodies that are read (aspect ratio 1e4)
+  constexpr double well_inside = 1.0 - 1.0e-6;
+  const SymmetricMatrix3 g = i.a_matrix + j.a_matrix;
+  const SymmetricMatrix3 adjugate{g.yy * g.zz - g.yz * g.yz, g.xx * g.zz - g.xz * g.xz,
+                                  g.xx * g.yy - g.xy * g.xy, g.xz * g.yz - g.xy * g.zz,
+                                  g.xy * g.yz - g.xz * g.yy, g.xy * g.xz - g.yz * g.xx};
+  const Vector3 y = adjugate * d; // times the determinant
+  const double squared_i = dot(y, i.a_matrix * y), squared_j = dot(y, j.a_matrix * y);
+  FirstLook look;
+  look.are_apart = std::sqrt(squared_i) + std::sqrt(squared_j) < dot(y, d);
+  if (look.are_apart)
+    return look;
+  const double determinant = g.xx * adjugate.xx + g.xy * adjugate.xy + g.xz * adjugate.xz;
+  look.touch = std::max(squared_i, squared_j) < well_inside * determinant * determinant;
+  const double length = norm(y);
+  look.normal = length > 0.0 ? (1.0 / length) * y : Vector3{1.0, 0.0, 0.0};
+  return look;
+}
+
+EllipsoidShape enlarged_ball(const Sphere& sphere, double gap) {
+  const double radius = sphere.radius + 0.5 * gap;
+  return make_shape({radius, radius, radius}, {});
+}
+
+bool spheres_touch(const Sphere& s, const Sphere& t, double gap) {
+  const Vector3 d = t.centre - s.centre;
+  const double reach = s.radius + t.radius + gap;
+  return dot(d, d) <= reach * reach;
+}
+
+bool ellipsoids_touch(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& distance) {
+  const FirstLook look = first_look(i, j, distance);
+  if (look.are_apart || look.touch)
+    return look.touch;
+  const ContactGeometry found = find_contact(i, j, distance);
+  return found.status != ContactStatus::separated && found.overlap >= 0.0;
+}
+
+/// Runs visit(sphere) over the spheres of a particle until it returns true; whether it did.
+template <class Visitor>
+bool any_sphere(const ParticleSet& set, const Particle& p, const Visitor& visit) {
+  const auto first = set.spheres.begin() + static_cast<std::ptrdiff_t>(p.first_sphere);
+  return std::any_of(first, first + static_cast<std::ptrdiff_t>(p.sphere_count), visit);
+}
+
+/// Whether two particles touch, as find_contacts() would have it.
+bool particles_touch(const ParticleSet& set, const SearchBodies& bodies, double gap, std::size_t i,
+                     std::size_t j) {
+  const Particle &p = set.particles[i], &q = set.particles[j];
+  if (p.is_smooth() && q.is_smooth())
+    return ellipsoids_touch(bodies.smooth[i], bodies.smooth[j], q.centre - p.centre);
+  if (p.is_smooth() || q.is_smooth()) {
+    const std::size_t smooth = p.is_smooth() ? i : j;
+    return any_sphere(set, p.is_smooth() ? q : p, [&](const Sphere& s) {
+      return ellipsoids_touch(bodies.smooth[smooth], enlarged_ball(s, gap),
+                              s.centre - bodies.centres[smooth]);
+    });
+  }
+  return any_sphere(set, p, [&](const Sphere& s) {
+    return any_sphere(set, q, [&](const Sphere& t) { return spheres_touch(s, t, gap); });
+  });
+}
+
+/// Adds the contacts of pairs of particles to the network, in the order in which the pairs come.
+/// Pairs of ellipsoids wait until there are enough of them to be searched together.
 class PairFinder {
  public:
   PairFinder(const ParticleSet& set, const SearchBodies& bodies, double gap,
@@ -46,21 +127,52 @@ class PairFinder {
 
   void find(std::size_t i, std::size_t j) {
     const Particle &p = m_set.particles[i], &q = m_set.particles[j];
+    if (p.is_smooth() && q.is_smooth()) {
+      ellipsoids(i, j);
+      return;
+    }
+    search_waiting();
     const std::size_t first = m_network.contacts.size();
-    if (p.is_smooth() && q.is_smooth())
-      ellipsoids(m_bodies.smooth[i], p.centre, m_bodies.smooth[j], q.centre);
-    else if (p.is_smooth())
+    if (p.is_smooth())
       ellipsoid_and_spheres(i, q, 1.0);
     else if (q.is_smooth())
       ellipsoid_and_spheres(j, p, -1.0);
     else
       spheres(p, q);
+    add_pair(i, j, first);
+  }
+
+  /// To be called after the last pair.
+  void search_waiting() {
+    m_batch.solve();
+    for (int k = 0; k < m_batch.size(); ++k) {
+      const auto [i, j] = m_waiting[static_cast<std::size_t>(k)];
+      const std::size_t first = m_network.contacts.size();
+      add_contact(settled(m_batch.geometry(k), m_bodies.smooth[i], m_bodies.smooth[j],
+                          m_bodies.centres[j] - m_bodies.centres[i]),
+                  m_bodies.centres[i], 1.0);
+      add_pair(i, j, first);
+    }
+    m_batch.clear();
+  }
+
+ private:
+  /// Deep overlaps are searched anew from the best normal there is.
+  static ContactGeometry settled(const ContactGeometry& found, const EllipsoidShape& i,
+                                 const EllipsoidShape& j, const Vector3& distance) {
+    const bool is_certain =
+        found.status == ContactStatus::separated ||
+        (found.status == ContactStatus::touching &&
+         found.overlap <= i.smallest_curvature_radius + j.smallest_curvature_radius);
+    return is_certain ? found : find_contact(i, j, distance);
+  }
+
+  void add_pair(std::size_t i, std::size_t j, std::size_t first) {
     const std::size_t count = m_network.contacts.size() - first;
     if (count > 0)
       m_network.pairs.push_back({i, j, first, count, largest_overlap(first)});
   }
 
- private:
   double largest_overlap(std::size_t first) const {
     double largest = m_network.contacts[first].overlap;
     for (std::size_t k = first + 1; k < m_network.contacts.size(); ++k)
@@ -68,12 +180,18 @@ class PairFinder {
     return largest;
   }
 
-  void ellipsoids(const EllipsoidShape& i, const Vector3& centre_i, const EllipsoidShape& j,
-                  const Vector3& centre_j, double sign = 1.0) {
-    const Vector3 distance = centre_j - centre_i;
-    if (overlap_along(i, j, distance, distance) < 0.0)
-      return; // the plane across the centres' connection separates them
-    const ContactGeometry found = find_contact(i, j, distance);
+  void ellipsoids(std::size_t i, std::size_t j) {
+    const Vector3 distance = m_bodies.centres[j] - m_bodies.centres[i];
+    const FirstLook look = first_look(m_bodies.smooth[i], m_bodies.smooth[j], distance);
+    if (look.are_apart)
+      return;
+    m_waiting[static_cast<std::size_t>(m_batch.size())] = {i, j};
+    m_batch.add(m_bodies.smooth[i], m_bodies.smooth[j], distance, look.normal);
+    if (m_batch.full())
+      search_waiting();
+  }
+
+  void add_contact(const ContactGeometry& found, const Vector3& centre_i, double sign) {
     if (found.status == ContactStatus::not_converged)
       ++m_network.not_converged;
     if (found.status == ContactStatus::separated || found.overlap < 0.0)
@@ -86,9 +204,11 @@ class PairFinder {
   void ellipsoid_and_spheres(std::size_t smooth, const Particle& chain, double sign) {
     for (std::size_t k = chain.first_sphere; k < chain.first_sphere + chain.sphere_count; ++k) {
       const Sphere& s = m_set.spheres[k];
-      const double radius = s.radius + 0.5 * m_gap;
-      ellipsoids(m_bodies.smooth[smooth], m_bodies.centres[smooth],
-                 make_shape({radius, radius, radius}, {}), s.centre, sign);
+      const Vector3 distance = s.centre - m_bodies.centres[smooth];
+      const EllipsoidShape ball = enlarged_ball(s, m_gap);
+      if (!first_look(m_bodies.smooth[smooth], ball, distance).are_apart)
+        add_contact(find_contact(m_bodies.smooth[smooth], ball, distance),
+                    m_bodies.centres[smooth], sign);
     }
   }
 
@@ -99,12 +219,10 @@ class PairFinder {
   }
 
   void sphere_pair(const Sphere& s, const Sphere& t) {
-    const Vector3 d = t.centre - s.centre;
-    const double reach = s.radius + t.radius + m_gap;
-    const double squared = dot(d, d);
-    if (squared > reach * reach)
+    if (!spheres_touch(s, t, m_gap))
       return;
-    const double distance = std::sqrt(squared);
+    const Vector3 d = t.centre - s.centre;
+    const double distance = norm(d);
     const Vector3 normal = distance > 0.0 ? (1.0 / distance) * d : Vector3{1.0, 0.0, 0.0};
     const double overlap = s.radius + t.radius - distance;
     m_network.contacts.push_back({s.centre + (s.radius - 0.5 * overlap) * normal, normal, overlap});
@@ -114,6 +232,8 @@ class PairFinder {
   const SearchBodies& m_bodies;
   double m_gap;
   ContactNetwork& m_network;
+  ContactBatch m_batch;
+  std::array<std::pair<std::size_t, std::size_t>, ContactBatch::capacity> m_waiting;
 };
 
 } // namespace
@@ -126,15 +246,29 @@ ContactNetwork find_contacts(const ParticleSet& set, double gap) {
   std::vector<std::size_t> partners;
   for (std::size_t i = 0; i < set.particles.size(); ++i) {
     partners.clear();
-    grid.for_neighbours(i, [&](std::size_t j) {
-      if (j > i)
-        partners.push_back(j);
-    });
+    grid.for_later_neighbours(i, [&](std::size_t j) { partners.push_back(j); });
     std::sort(partners.begin(), partners.end());
     for (const std::size_t j : partners)
       finder.find(i, j);
   }
+  finder.search_waiting();
   return network;
+}
+
+std::vector<std::size_t> touching_clusters(const ParticleSet& set, double gap) {
+  const SearchBodies bodies = search_bodies(set, gap);
+  const CellGrid grid(bodies.centres, bodies.radii);
+  const std::size_t count = set.particles.size();
+  DisjointSets clusters(count);
+  for (std::size_t i = 0; i < count; ++i)
+    grid.for_later_neighbours(i, [&](std::size_t j) {
+      if (clusters.root(i) != clusters.root(j) && particles_touch(set, bodies, gap, i, j))
+        clusters.join(i, j);
+    });
+  std::vector<std::size_t> roots(count);
+  for (std::size_t i = 0; i < count; ++i)
+    roots[i] = clusters.root(i);
+  return roots;
 }
 
 std::vector<double> wall_overlaps(const ParticleSet& set, std::size_t particle,
@@ -142,6 +276,9 @@ std::vector<double> wall_overlaps(const ParticleSet& set, std::size_t particle,
   const Particle& p = set.particles[particle];
   std::vector<double> overlaps;
   if (p.is_smooth()) {
+    constexpr double and_rounding = 1.0 + 1.0e-12;
+    if (dot(p.centre - wall.point, wall.inward) > and_rounding * (p.largest_axis() + 0.5 * gap))
+      return overlaps;
     const Vector3 half_gap{0.5 * gap, 0.5 * gap, 0.5 * gap};
     const ContactGeometry found = find_plane_contact(
         make_shape(p.semiaxes + half_gap, p.orientation), wall.point - p.centre, -wall.inward);

@@ -34,6 +34,10 @@ struct ContactNetwork {
 /// the enlarged bodies minus gap).
 ContactNetwork find_contacts(const ParticleSet& set, double gap);
 
+/// The cluster of every particle, by the smallest index in it: particles belong together when they
+/// touch as in find_contacts(), or are connected by particles that do. Faster than the contacts.
+std::vector<std::size_t> touching_clusters(const ParticleSet& set, double gap);
+
 /// A plane wall: bodies are on the side into which `inward` points.
 struct PlaneWall {
   Vector3 point, inward; ///< inward: unit

@@ -79,10 +79,9 @@ std::vector<double> UpperEnvelope::breakpoints() const {
   }
   const CellGrid grid(centres, radii);
   for (std::size_t i = 0; i < m_arcs.size(); ++i)
-    grid.for_neighbours(i, [&](std::size_t j) {
-      if (j < i)
-        for (const double t : crossings(m_arcs[i], m_arcs[j]))
-          result.push_back(m_arcs[i].at(t).x());
+    grid.for_later_neighbours(i, [&](std::size_t j) {
+      for (const double t : crossings(m_arcs[j], m_arcs[i]))
+        result.push_back(m_arcs[j].at(t).x());
     });
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());

@@ -120,9 +120,7 @@ HiddenArcs hidden_arcs(const std::vector<PlaneEllipse>& outlines, const std::vec
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     for (const Edge& edge : edges)
       append_beyond_line(outlines[i], edge.outward, edge.offset, hidden.by_own[i]);
-    grid.for_neighbours(i, [&](std::size_t j) {
-      if (j < i)
-        return; // each pair once
+    grid.for_later_neighbours(i, [&](std::size_t j) {
       auto& arcs = outlines[i].owner == outlines[j].owner ? hidden.by_own : hidden.by_others;
       append_covered(outlines[i], outlines[j], arcs[i], arcs[j]);
     });

@@ -4,30 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numeric>
 
 namespace ellipsoid::post {
 namespace {
-
-/// Sets that are joined one pair at a time; the root of a set is its smallest member.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : m_parent(count) {
-    std::iota(m_parent.begin(), m_parent.end(), std::size_t{0});
-  }
-  std::size_t root(std::size_t i) {
-    while (m_parent[i] != i)
-      i = m_parent[i] = m_parent[m_parent[i]];
-    return i;
-  }
-  void join(std::size_t i, std::size_t j) {
-    const std::size_t p = root(i), q = root(j);
-    m_parent[std::max(p, q)] = std::min(p, q);
-  }
-
- private:
-  std::vector<std::size_t> m_parent;
-};
 
 double mean_z(const ParticleSet& set) {
   double sum = 0.0;
@@ -41,16 +20,14 @@ double mean_z(const ParticleSet& set) {
 std::vector<std::size_t> pile_members(const ParticleSet& set, const PileOptions& options,
                                       double gap) {
   const std::size_t count = set.particles.size();
-  DisjointSets clusters(count);
-  for (const PairContact& pair : find_contacts(set, gap).pairs)
-    clusters.join(pair.i, pair.j);
+  const std::vector<std::size_t> clusters = touching_clusters(set, gap);
   std::vector<std::size_t> size(count, 0);
   std::vector<char> touches_wall(count, 0);
   bool any_touches = false;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t root = clusters.root(i);
+    const std::size_t root = clusters[i];
     ++size[root];
-    if (options.wall) {
+    if (options.wall && !touches_wall[root]) {
       const PlaneWall wall{{*options.wall, 0.0, 0.0}, {1.0, 0.0, 0.0}};
       if (!wall_overlaps(set, i, wall, gap).empty())
         touches_wall[root] = any_touches = true;
@@ -62,7 +39,7 @@ std::vector<std::size_t> pile_members(const ParticleSet& set, const PileOptions&
       best = i;
   std::vector<std::size_t> members;
   for (std::size_t i = 0; i < count; ++i)
-    if (clusters.root(i) == best)
+    if (clusters[i] == best)
       members.push_back(i);
   return members;
 }
