@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace ellipsoid::post {
@@ -30,58 +31,82 @@ class CellGrid {
     find_neighbour_columns();
   }
 
-  /// Calls visit(j) for every ball j > i that overlaps ball i.
-  template <class Visitor> void for_later_neighbours(std::size_t i, const Visitor& visit) const {
-    const std::size_t home = m_cell_of_ball[i];
-    for (std::size_t k = 0; k < column_count; ++k) {
-      const std::uint64_t last = m_cell_keys[home] + column_shift(k) + 1;
-      for (std::size_t place = m_columns[home][k];
-           place < m_balls.size() && m_balls[place].cell_key <= last; ++place) {
-        const std::size_t j = m_balls[place].index;
-        if (j <= i)
-          continue;
-        const Vector3 d = m_centres[j] - m_centres[i];
-        const double reach = m_radii[i] + m_radii[j];
-        if (dot(d, d) <= reach * reach)
-          visit(j);
+  /// Calls visit(j) for every ball j > i that overlaps ball i. Candidates are first put into a row
+  /// without branches, which no processor could predict.
+  template <class Visitor> void for_later_neighbours(std::size_t i, const Visitor& visit) {
+    const Columns& columns = m_columns[m_cell_of_ball[i]];
+    const Vector3 centre = m_centres[i];
+    const double radius = m_radii[i];
+    std::size_t found = 0;
+    for (const auto& [begin, end] : columns) {
+      m_found.resize(std::max(m_found.size(), found + (end - begin) + 1));
+      for (std::size_t place = begin; place < end; ++place) {
+        const Placed& other = m_placed[place];
+        const Vector3 d = other.centre - centre;
+        const double reach = radius + other.radius;
+        m_found[found] = other.index;
+        found += static_cast<std::size_t>(other.index > i) &
+                 static_cast<std::size_t>(dot(d, d) <= reach * reach);
       }
     }
+    for (std::size_t k = 0; k < found; ++k)
+      visit(m_found[k]);
   }
 
  private:
-  /// A ball and its cell; sorted by cell, so that neighbours along z follow each other.
+  /// A ball and its cell; sorted by cell, so that neighbours along y follow each other (piles in a
+  /// plane are one cell thick along z).
   struct Ball {
     std::uint64_t cell_key;
     std::size_t index;
   };
 
-  /// A cell has neighbours in 3 x 3 columns of three cells along z each.
+  /// A cell has neighbours in 3 x 3 columns of three cells along y each.
   static constexpr std::size_t column_count = 9;
   /// From a cell's key to that of the middle cell of a column (modulo 2^64).
   static std::uint64_t column_shift(std::size_t column) {
-    return ((column / 3 - 1) << x_bit) + ((column % 3 - 1) << y_bit);
+    return ((column / 3 - 1) << x_bit) + ((column % 3 - 1) << z_bit);
   }
 
-  /// Fills for each cell where the balls of its columns begin. Keys only grow from cell to cell, so
+  /// Places of the balls of a column: from first to second, without it.
+  using Columns = std::array<std::pair<std::size_t, std::size_t>, column_count>;
+  /// A copy of a ball where neighbours in space are neighbours in memory.
+  struct Placed {
+    Vector3 centre;
+    double radius;
+    std::size_t index;
+  };
+
+  /// Fills for each cell where the balls of its columns are. Keys only grow from cell to cell, so
   /// each column's place does.
   void find_neighbour_columns() {
     m_cell_of_ball.resize(m_balls.size());
-    std::array<std::size_t, column_count> places{};
+    m_placed.reserve(m_balls.size());
+    Columns columns{};
+    std::uint64_t last_key = 0;
     for (const Ball& ball : m_balls) {
-      if (m_cell_keys.empty() || ball.cell_key != m_cell_keys.back()) {
-        for (std::size_t k = 0; k < column_count; ++k) {
-          const std::uint64_t first = ball.cell_key + column_shift(k) - 1;
-          while (places[k] < m_balls.size() && m_balls[places[k]].cell_key < first)
-            ++places[k];
-        }
-        m_cell_keys.push_back(ball.cell_key);
-        m_columns.push_back(places);
+      if (m_columns.empty() || ball.cell_key != last_key) {
+        for (std::size_t k = 0; k < column_count; ++k)
+          advance(columns[k], ball.cell_key + column_shift(k));
+        m_columns.push_back(columns);
+        last_key = ball.cell_key;
       }
-      m_cell_of_ball[ball.index] = m_cell_keys.size() - 1;
+      m_cell_of_ball[ball.index] = m_columns.size() - 1;
+      m_placed.push_back({m_centres[ball.index], m_radii[ball.index], ball.index});
     }
   }
 
-  static constexpr unsigned x_bit = 42, y_bit = 21; // of a key
+  /// To the balls of the cell with this key and of its two neighbours along y.
+  void advance(std::pair<std::size_t, std::size_t>& column, std::uint64_t middle) const {
+    auto& [begin, end] = column;
+    while (begin < m_balls.size() && m_balls[begin].cell_key < middle - 1)
+      ++begin;
+    end = std::max(begin, end);
+    while (end < m_balls.size() && m_balls[end].cell_key <= middle + 1)
+      ++end;
+  }
+
+  static constexpr unsigned x_bit = 42, z_bit = 21; // of a key
 
   /// Number of the cell along one axis; far outliers share the outermost cells.
   std::int64_t cell(double x) const {
@@ -92,16 +117,17 @@ class CellGrid {
   static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
     constexpr std::int64_t shift = std::int64_t{1} << 20;
     return (static_cast<std::uint64_t>(x + shift) << x_bit) |
-           (static_cast<std::uint64_t>(y + shift) << y_bit) | static_cast<std::uint64_t>(z + shift);
+           (static_cast<std::uint64_t>(z + shift) << z_bit) | static_cast<std::uint64_t>(y + shift);
   }
 
   const std::vector<Vector3>& m_centres;
   const std::vector<double>& m_radii;
   double m_cell_size = 1.0;
   std::vector<Ball> m_balls;
-  std::vector<std::uint64_t> m_cell_keys; ///< of the cells that are not empty, ascending
-  std::vector<std::array<std::size_t, column_count>> m_columns; ///< of each of these cells
-  std::vector<std::size_t> m_cell_of_ball;
+  std::vector<Placed> m_placed;         ///< in the order of m_balls
+  std::vector<Columns> m_columns;       ///< of the cells that are not empty
+  std::vector<std::size_t> m_cell_of_ball; ///< index into m_columns
+  std::vector<std::size_t> m_found;
 };
 
 } // namespace ellipsoid::post

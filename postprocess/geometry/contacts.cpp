@@ -46,28 +46,32 @@ SearchBodies search_bodies(const ParticleSet& set, double gap) {
 struct FirstLook {
   bool are_apart = false; ///< proved by `normal`
   bool touch = false;     ///< proved by a point inside both
-  Vector3 normal;         ///< unit, from i to j: near the contact's (not set where they are apart)
+  // the rest is not set where they are apart
+  Vector3 normal;           ///< unit, from i to j: near the contact's
+  double next_lambda = 0.5; ///< nearer to the maximum of the function
 };
 
-/// The function of Perram and Wertheim (1985, J. Comput. Phys. 58, 409) at lambda = 1/2: with
-/// y = (A_i + A_j)^-1 d the point x_i + A_i y lies at the levels y^T A_i y and y^T A_j y of the
-/// bodies (1: surface), and y is the normal of a plane that separates them when
-/// s_i(y) + s_j(y) < y.d. Exact for bodies alike; what is in between is left to the search.
-FirstLook first_look(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& d) {
+/// The function of Perram and Wertheim (1985, J. Comput. Phys. 58, 409) at one lambda: with
+/// y = ((1 - lambda) A_i + lambda A_j)^-1 d the point x_i + (1 - lambda) A_i y lies at the levels
+/// (1 - lambda)^2 s_i(y)^2 and lambda^2 s_j(y)^2 of the bodies (1: surface), and y is the normal
+/// of a plane that separates them when s_i(y) + s_j(y) < y.d.
+FirstLook first_look(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& d,
+                     double lambda) {
   // far above the rounding of the most slender bodies that are read (aspect ratio 1e4)
   constexpr double well_inside = 1.0 - 1.0e-6;
-  const SymmetricMatrix3 g = i.a_matrix + j.a_matrix;
+  const SymmetricMatrix3 g = (1.0 - lambda) * i.a_matrix + lambda * j.a_matrix;
   const SymmetricMatrix3 adjugate{g.yy * g.zz - g.yz * g.yz, g.xx * g.zz - g.xz * g.xz,
                                   g.xx * g.yy - g.xy * g.xy, g.xz * g.yz - g.xy * g.zz,
                                   g.xy * g.yz - g.xz * g.yy, g.xy * g.xz - g.yz * g.xx};
   const Vector3 y = adjugate * d; // times the determinant
-  const double squared_i = dot(y, i.a_matrix * y), squared_j = dot(y, j.a_matrix * y);
+  const double s_i = support(i, y), s_j = support(j, y);
   FirstLook look;
-  look.are_apart = std::sqrt(squared_i) + std::sqrt(squared_j) < dot(y, d);
+  look.are_apart = s_i + s_j < dot(y, d);
   if (look.are_apart)
     return look;
   const double determinant = g.xx * adjugate.xx + g.xy * adjugate.xy + g.xz * adjugate.xz;
-  look.touch = std::max(squared_i, squared_j) < well_inside * determinant * determinant;
+  look.touch = std::max((1.0 - lambda) * s_i, lambda * s_j) < well_inside * determinant;
+  look.next_lambda = s_i + s_j > 0.0 ? s_i / (s_i + s_j) : lambda;
   const double length = norm(y);
   look.normal = length > 0.0 ? (1.0 / length) * y : Vector3{1.0, 0.0, 0.0};
   return look;
@@ -85,9 +89,13 @@ bool spheres_touch(const Sphere& s, const Sphere& t, double gap) {
 }
 
 bool ellipsoids_touch(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& distance) {
-  const FirstLook look = first_look(i, j, distance);
-  if (look.are_apart || look.touch)
-    return look.touch;
+  constexpr int most_looks = 4; // the next step is the search itself
+  FirstLook look;
+  for (int k = 0; k < most_looks; ++k) {
+    look = first_look(i, j, distance, look.next_lambda);
+    if (look.are_apart || look.touch)
+      return look.touch;
+  }
   const ContactGeometry found = find_contact(i, j, distance);
   return found.status != ContactStatus::separated && found.overlap >= 0.0;
 }
@@ -182,7 +190,7 @@ class PairFinder {
 
   void ellipsoids(std::size_t i, std::size_t j) {
     const Vector3 distance = m_bodies.centres[j] - m_bodies.centres[i];
-    const FirstLook look = first_look(m_bodies.smooth[i], m_bodies.smooth[j], distance);
+    const FirstLook look = first_look(m_bodies.smooth[i], m_bodies.smooth[j], distance, 0.5);
     if (look.are_apart)
       return;
     m_waiting[static_cast<std::size_t>(m_batch.size())] = {i, j};
@@ -206,7 +214,7 @@ class PairFinder {
       const Sphere& s = m_set.spheres[k];
       const Vector3 distance = s.centre - m_bodies.centres[smooth];
       const EllipsoidShape ball = enlarged_ball(s, m_gap);
-      if (!first_look(m_bodies.smooth[smooth], ball, distance).are_apart)
+      if (!first_look(m_bodies.smooth[smooth], ball, distance, 0.5).are_apart)
         add_contact(find_contact(m_bodies.smooth[smooth], ball, distance),
                     m_bodies.centres[smooth], sign);
     }
@@ -240,7 +248,7 @@ class PairFinder {
 
 ContactNetwork find_contacts(const ParticleSet& set, double gap) {
   const SearchBodies bodies = search_bodies(set, gap);
-  const CellGrid grid(bodies.centres, bodies.radii);
+  CellGrid grid(bodies.centres, bodies.radii);
   ContactNetwork network;
   PairFinder finder(set, bodies, gap, network);
   std::vector<std::size_t> partners;
@@ -257,7 +265,7 @@ ContactNetwork find_contacts(const ParticleSet& set, double gap) {
 
 std::vector<std::size_t> touching_clusters(const ParticleSet& set, double gap) {
   const SearchBodies bodies = search_bodies(set, gap);
-  const CellGrid grid(bodies.centres, bodies.radii);
+  CellGrid grid(bodies.centres, bodies.radii);
   const std::size_t count = set.particles.size();
   DisjointSets clusters(count);
   for (std::size_t i = 0; i < count; ++i)

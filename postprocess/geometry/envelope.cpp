@@ -77,7 +77,7 @@ std::vector<double> UpperEnvelope::breakpoints() const {
     result.push_back(arc.left());
     result.push_back(arc.right());
   }
-  const CellGrid grid(centres, radii);
+  CellGrid grid(centres, radii);
   for (std::size_t i = 0; i < m_arcs.size(); ++i)
     grid.for_later_neighbours(i, [&](std::size_t j) {
       for (const double t : crossings(m_arcs[j], m_arcs[i]))

@@ -113,7 +113,7 @@ HiddenArcs hidden_arcs(const std::vector<PlaneEllipse>& outlines, const std::vec
     centres.push_back({shape.centre.x(), shape.centre.y(), 0.0});
     radii.push_back(shape.bounding_radius());
   }
-  const CellGrid grid(centres, radii);
+  CellGrid grid(centres, radii);
   HiddenArcs hidden;
   hidden.by_own.resize(outlines.size());
   hidden.by_others.resize(outlines.size());
