@@ -31,7 +31,9 @@ struct TrigonometricPolynomial {
     return {k + c1 * c + s1 * s + c2 * cc + s2 * ss, s1 * c - c1 * s + 2.0 * (s2 * cc - c2 * ss)};
   }
   double value(double t) const { return at(t).value; }
-  double largest_curvature() const { return std::hypot(c1, s1) + 4.0 * std::hypot(c2, s2); }
+  double first_wave() const { return std::sqrt(c1 * c1 + s1 * s1); }
+  double second_wave() const { return std::sqrt(c2 * c2 + s2 * s2); }
+  double largest_curvature() const { return first_wave() + 4.0 * second_wave(); }
   double size() const {
     return std::max({std::abs(k), std::abs(c1), std::abs(s1), std::abs(c2), std::abs(s2)});
   }
@@ -59,27 +61,54 @@ TrigonometricPolynomial level_along(const PlaneEllipse& i, const PlaneEllipse& j
           0.5 * (p.dot(p) - q.dot(q)), p.dot(q)};
 }
 
-/// Root in an interval in which f changes its sign and is monotone: Newton's method, kept within
-/// the shrinking bracket. The error after the last step is about its square over the interval.
-double bracketed_root(const TrigonometricPolynomial& f, double begin, double end, bool rises) {
-  double t = 0.5 * (begin + end);
-  const double last_step = std::max(1e-10 * (end - begin), 1e-16 * two_pi);
-  for (int step = 0; step < 60; ++step) {
-    const auto jet = f.at(t);
-    ((jet.value < 0.0) == rises ? begin : end) = t;
-    const double newton = t - jet.value / jet.slope;
-    const double next = newton >= begin && newton <= end ? newton : 0.5 * (begin + end);
-    if (std::abs(next - t) <= last_step)
-      return next;
-    t = next;
-  }
-  return t;
-}
-
 /// An end of an interval with its cosine and sine and the value there.
 struct Sample {
   double t, cosine, sine, value;
 };
+
+/// Where f changes its sign.
+struct Root {
+  double t, cosine, sine;
+  bool rises; ///< f is negative before and positive after it
+};
+
+/// Turns the direction (cosine, sine) by a small angle: series up to the eighth order, and their
+/// rounding for angles below 0.05.
+void turn(double angle, double& cosine, double& sine) {
+  const double squared = angle * angle;
+  const double c = 1.0 - squared / 2.0 * (1.0 - squared / 12.0 * (1.0 - squared / 30.0 *
+                                                                  (1.0 - squared / 56.0)));
+  const double s = angle * (1.0 - squared / 6.0 * (1.0 - squared / 20.0 * (1.0 - squared / 42.0)));
+  const double turned = cosine * c - sine * s;
+  sine = sine * c + cosine * s;
+  cosine = turned;
+}
+
+/// Root in an interval in which f changes its sign and is monotone: Newton's method, kept within
+/// the shrinking bracket. The error after the last step is about its square over the interval.
+Root bracketed_root(const TrigonometricPolynomial& f, double begin, double end, const Sample& start,
+                    bool rises) {
+  constexpr double small_turn = 0.05;
+  Root root{start.t, start.cosine, start.sine, rises};
+  const double last_step = std::max(1e-10 * (end - begin), 1e-16 * two_pi);
+  for (int step = 0; step < 60; ++step) {
+    const auto jet = f.at(root.cosine, root.sine);
+    ((jet.value < 0.0) == rises ? begin : end) = root.t;
+    const double newton = root.t - jet.value / jet.slope;
+    const double next = newton >= begin && newton <= end ? newton : 0.5 * (begin + end);
+    const double change = next - root.t;
+    root.t = next;
+    if (std::abs(change) < small_turn) {
+      turn(change, root.cosine, root.sine);
+    } else {
+      root.cosine = std::cos(next);
+      root.sine = std::sin(next);
+    }
+    if (std::abs(change) <= last_step)
+      break;
+  }
+  return root;
+}
 
 /// The intervals of the subdivision: eighths of the turn, halved again and again.
 struct Halvings {
@@ -103,7 +132,7 @@ struct Halvings {
 const Halvings halvings;
 
 void collect_roots(const TrigonometricPolynomial& f, double bound, std::size_t depth,
-                   const Sample& begin, const Sample& end, std::vector<double>& roots) {
+                   const Sample& begin, const Sample& end, std::vector<Root>& roots) {
   const double width = end.t - begin.t;
   const bool sign_changes = (begin.value < 0.0) != (end.value < 0.0);
   if (!sign_changes &&
@@ -116,7 +145,7 @@ void collect_roots(const TrigonometricPolynomial& f, double bound, std::size_t d
   middle.value = jet.value;
   const bool is_monotone = std::abs(jet.slope) > 0.5 * bound * width;
   if (sign_changes && (is_monotone || width < closest_roots)) {
-    roots.push_back(bracketed_root(f, begin.t, end.t, begin.value < 0.0));
+    roots.push_back(bracketed_root(f, begin.t, end.t, middle, begin.value < 0.0));
     return;
   }
   if (is_monotone || width < closest_roots)
@@ -125,10 +154,11 @@ void collect_roots(const TrigonometricPolynomial& f, double bound, std::size_t d
   collect_roots(f, bound, depth + 1, middle, end, roots);
 }
 
-std::vector<double> roots_of(const TrigonometricPolynomial& f) {
-  std::vector<double> roots;
-  if (std::abs(f.k) > std::hypot(f.c1, f.s1) + std::hypot(f.c2, f.s2))
+std::vector<Root> roots_of(const TrigonometricPolynomial& f) {
+  std::vector<Root> roots;
+  if (std::abs(f.k) > f.first_wave() + f.second_wave())
     return roots; // the waves cannot reach zero
+  roots.reserve(4);
   const double bound = f.largest_curvature();
   const auto sample = [&f](std::size_t part) {
     const double c = halvings.cosines[part], s = halvings.sines[part];
@@ -155,38 +185,64 @@ bool are_apart(const PlaneEllipse& i, const PlaneEllipse& j) {
   return beyond > 0.0 && beyond * beyond > pd * pd + qd * qd;
 }
 
-/// Intervals between neighbouring roots in which f < 0; the last one may reach beyond 2 pi.
-std::vector<ArcInterval> negative_intervals(const TrigonometricPolynomial& f,
-                                            const std::vector<double>& roots) {
-  std::vector<ArcInterval> result;
-  if (roots.empty() && f.value(0.0) < 0.0 && f.value(1.0) < 0.0)
-    result.push_back({0.0, two_pi});
-  for (std::size_t k = 0; k < roots.size(); ++k) {
-    const double end = k + 1 < roots.size() ? roots[k + 1] : roots[0] + two_pi;
-    if (end > roots[k] && f.value(0.5 * (roots[k] + end)) < 0.0)
-      result.push_back({roots[k], end});
-  }
-  return result;
-}
-
-/// Appends the parts of an outline where f < 0, between the ascending roots, cut at 2 pi; lenses
+/// Appends the arc from a root to the next one at parameter `end`, cut at 2 pi, where f < 0; lenses
 /// with a chord below `limit` are left out.
-void append_negative(const TrigonometricPolynomial& f, const std::vector<double>& roots,
-                     const PlaneEllipse& i, double limit, std::vector<ArcInterval>& result) {
-  for (const ArcInterval& arc : negative_intervals(f, roots)) {
-    if (arc.end - arc.begin < 0.5 && (i.at(arc.end) - i.at(arc.begin)).norm() < limit)
-      continue;
-    result.push_back({arc.begin, std::min(arc.end, two_pi)});
-    if (arc.end > two_pi)
-      result.push_back({0.0, arc.end - two_pi});
-  }
+void append_arc(const Root& begin, const Root& next, double end, const PlaneEllipse& i,
+                double limit, std::vector<ArcInterval>& result) {
+  if (begin.rises || end <= begin.t)
+    return;
+  const double cosine = next.cosine - begin.cosine, sine = next.sine - begin.sine;
+  if (end - begin.t < 0.5 &&
+      Point(i.ux * cosine, i.uy * cosine + i.vy * sine).squaredNorm() < limit * limit)
+    return;
+  result.push_back({begin.t, std::min(end, two_pi)});
+  if (end > two_pi)
+    result.push_back({0.0, end - two_pi});
 }
 
-/// The parameter of a point of an outline, 0 to 2 pi.
-double parameter_of(const PlaneEllipse& i, const Point& p) {
-  const double cosine = (p.x() - i.centre.x()) / i.ux;
-  const double t = std::atan2((p.y() - i.centre.y() - i.uy * cosine) / i.vy, cosine);
-  return t < 0.0 ? t + two_pi : t;
+/// Appends the parts of an outline where f < 0, between its ascending roots.
+void append_negative(const TrigonometricPolynomial& f, const std::vector<Root>& roots,
+                     const PlaneEllipse& i, double limit, std::vector<ArcInterval>& result) {
+  if (roots.empty() && f.at(1.0, 0.0).value < 0.0 && f.value(1.0) < 0.0)
+    result.push_back({0.0, two_pi});
+  for (std::size_t k = 0; k + 1 < roots.size(); ++k)
+    append_arc(roots[k], roots[k + 1], roots[k + 1].t, i, limit, result);
+  if (!roots.empty())
+    append_arc(roots.back(), roots.front(), roots.front().t + two_pi, i, limit, result);
+}
+
+/// From each of the ascending roots to the next one.
+template <class Visitor> void for_gaps(std::vector<Root>& roots, const Visitor& visit) {
+  for (std::size_t k = 0; k + 1 < roots.size(); ++k)
+    visit(roots[k], roots[k + 1].t);
+  if (!roots.empty())
+    visit(roots.back(), roots.front().t + two_pi);
+}
+
+/// The crossings of i with j as roots of f, the level of i along j. Both outlines run
+/// counter-clockwise: where one enters the other leaves. Of crossings so close together that they
+/// may have changed places, the value between them tells which is which.
+std::vector<Root> seen_from_other(const std::vector<Root>& roots, const PlaneEllipse& i,
+                                  const PlaneEllipse& j, const TrigonometricPolynomial& f) {
+  constexpr double surely_ascending = 1.0e-7; // far above the rounding of slender outlines
+  const InUnitCircle seen = in_unit_circle(i, j);
+  std::vector<Root> result;
+  result.reserve(roots.size());
+  for (const Root& root : roots) {
+    const Point p = seen.d + root.cosine * seen.p + root.sine * seen.q;
+    const double t = std::atan2(p.y(), p.x());
+    result.push_back({t < 0.0 ? t + two_pi : t, p.x(), p.y(), !root.rises});
+  }
+  std::sort(result.begin(), result.end(), [](const Root& a, const Root& b) { return a.t < b.t; });
+  bool is_ascending = true;
+  for_gaps(result, [&](const Root& root, double next) {
+    is_ascending = is_ascending && next - root.t > surely_ascending;
+  });
+  if (!is_ascending)
+    for_gaps(result, [&](Root& root, double next) {
+      root.rises = !(f.value(0.5 * (root.t + next)) < 0.0);
+    });
+  return result;
 }
 
 } // namespace
@@ -195,7 +251,11 @@ std::vector<double> crossings(const PlaneEllipse& i, const PlaneEllipse& j) {
   if (are_apart(i, j))
     return {};
   const TrigonometricPolynomial f = level_along(i, j);
-  return f.size() < same_outline ? std::vector<double>{} : roots_of(f);
+  std::vector<double> result;
+  if (f.size() >= same_outline)
+    for (const Root& root : roots_of(f))
+      result.push_back(root.t);
+  return result;
 }
 
 void append_covered(const PlaneEllipse& i, const PlaneEllipse& j, std::vector<ArcInterval>& of_i,
@@ -208,13 +268,10 @@ void append_covered(const PlaneEllipse& i, const PlaneEllipse& j, std::vector<Ar
     return;
   }
   const double limit = shortest_chord * std::min(i.bounding_radius(), j.bounding_radius());
-  const std::vector<double> roots = roots_of(along_i);
+  const std::vector<Root> roots = roots_of(along_i);
   append_negative(along_i, roots, i, limit, of_i);
-  std::vector<double> roots_on_j;
-  for (const double t : roots)
-    roots_on_j.push_back(parameter_of(j, i.at(t)));
-  std::sort(roots_on_j.begin(), roots_on_j.end());
-  append_negative(level_along(j, i), roots_on_j, j, limit, of_j);
+  const TrigonometricPolynomial along_j = level_along(j, i);
+  append_negative(along_j, seen_from_other(roots, i, j, along_j), j, limit, of_j);
 }
 
 void append_beyond_line(const PlaneEllipse& i, const Point& normal, double offset,
@@ -223,7 +280,7 @@ void append_beyond_line(const PlaneEllipse& i, const Point& normal, double offse
   f.k = offset - normal.dot(i.centre);
   f.c1 = -(normal.x() * i.ux + normal.y() * i.uy);
   f.s1 = -normal.y() * i.vy;
-  if (std::abs(f.k) < std::hypot(f.c1, f.s1))
+  if (f.k * f.k < f.c1 * f.c1 + f.s1 * f.s1)
     append_negative(f, roots_of(f), i, shortest_chord * i.bounding_radius(), of_i);
   else if (f.k < 0.0)
     of_i.push_back({0.0, two_pi});

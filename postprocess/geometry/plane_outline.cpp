@@ -12,7 +12,8 @@ constexpr double pi = 3.141592653589793238462643;
 } // namespace
 
 Point PlaneEllipse::at(double t) const {
-  return {centre.x() + ux * std::cos(t), centre.y() + uy * std::cos(t) + vy * std::sin(t)};
+  const double cosine = std::cos(t), sine = std::sin(t);
+  return {centre.x() + ux * cosine, centre.y() + uy * cosine + vy * sine};
 }
 
 double PlaneEllipse::upper(double x) const {
@@ -37,12 +38,12 @@ double PlaneEllipse::green(double t0, double t1) const {
 
 double PlaneEllipse::area() const { return pi * ux * vy; }
 
-double PlaneEllipse::top() const { return centre.y() + std::hypot(uy, vy); }
+double PlaneEllipse::top() const { return centre.y() + std::sqrt(uy * uy + vy * vy); }
 
 double PlaneEllipse::bounding_radius() const {
   // largest singular value of [u v]
   const double p = ux * ux + uy * uy, r = vy * vy, q = uy * vy;
-  return std::sqrt(0.5 * (p + r) + std::hypot(0.5 * (p - r), q));
+  return std::sqrt(0.5 * (p + r) + std::sqrt(0.25 * (p - r) * (p - r) + q * q));
 }
 
 double PlaneEllipse::level(const Point& p) const {
