@@ -39,32 +39,71 @@ UpperEnvelope::UpperEnvelope(const std::vector<PlaneEllipse>& outlines, double f
       m_summit = {arc.centre.x() + arc.ux * arc.uy / std::hypot(arc.uy, arc.vy), arc.top()};
 }
 
-/// Leaves out outlines that lie wholly below others: in each of their bins another upper arc,
-/// which spans the bin, stays above their top. Upper arcs are concave, so an arc is nowhere in a
-/// bin lower than at the bin's two edges.
+/// Lower bounds of the surface in bins of abscissas. Upper arcs are concave, so an arc is nowhere
+/// in a bin that it spans lower than at the bin's two edges.
+class UpperEnvelope::SurfaceBound {
+ public:
+  SurfaceBound(const Bins& bins, double floor) : m_bins(bins), m_bounds(bins.count, floor) {}
+
+  /// Whether the outline lies wholly below other upper arcs.
+  bool hides(const PlaneEllipse& shape) const {
+    const auto first = m_bounds.begin() + static_cast<std::ptrdiff_t>(m_bins.index(shape.left()));
+    const auto last = m_bounds.begin() + static_cast<std::ptrdiff_t>(m_bins.index(shape.right()));
+    const double top = shape.top();
+    return std::all_of(first, last + 1, [top](double bound) { return top < bound; });
+  }
+
+  void raise(const PlaneEllipse& shape) {
+    const std::size_t last = m_bins.index(shape.right());
+    std::size_t k = m_bins.index(shape.left());
+    while (k <= last && m_bins.edge(k) < shape.left())
+      ++k;
+    if (k > last)
+      return;
+    double before = shape.upper(m_bins.edge(k));
+    for (; k <= last && m_bins.edge(k + 1) <= shape.right(); ++k) {
+      const double after = shape.upper(m_bins.edge(k + 1));
+      m_bounds[k] = std::max(m_bounds[k], std::min(before, after));
+      before = after;
+    }
+  }
+
+ private:
+  Bins m_bins;
+  std::vector<double> m_bounds;
+};
+
+/// Leaves out outlines that lie wholly below others. The highest ones per particle's width come
+/// first: most of the others are then known to be hidden without a look at their arcs.
 void UpperEnvelope::keep_surface_arcs(const std::vector<PlaneEllipse>& outlines) {
+  constexpr double bins_per_radius = 8.0;
   double left = outlines.front().left(), right = outlines.front().right(), widest = 0.0;
   for (const PlaneEllipse& shape : outlines) {
     left = std::min(left, shape.left());
     right = std::max(right, shape.right());
     widest = std::max(widest, shape.ux);
   }
-  const double wanted = std::ceil(8.0 * (right - left) / widest);
-  const Bins bins(left, right, static_cast<std::size_t>(std::clamp(wanted, 1.0, 1.0e6)));
-  std::vector<double> lower_bound(bins.count, m_floor);
-  for (const PlaneEllipse& shape : outlines)
-    for (std::size_t k = bins.index(shape.left()); k <= bins.index(shape.right()); ++k)
-      if (bins.edge(k) >= shape.left() && bins.edge(k + 1) <= shape.right())
-        lower_bound[k] = std::max(
-            lower_bound[k], std::min(shape.upper(bins.edge(k)), shape.upper(bins.edge(k + 1))));
+  const auto bins_over = [&](double width) {
+    const double wanted = std::ceil((right - left) / width);
+    return Bins(left, right, static_cast<std::size_t>(std::clamp(wanted, 1.0, 1.0e6)));
+  };
+  SurfaceBound bound(bins_over(widest / bins_per_radius), m_floor);
+  const Bins columns = bins_over(widest);
+  std::vector<const PlaneEllipse*> highest(columns.count, nullptr);
   for (const PlaneEllipse& shape : outlines) {
-    const std::size_t first = bins.index(shape.left()), last = bins.index(shape.right());
-    const bool is_hidden = std::all_of(lower_bound.begin() + static_cast<std::ptrdiff_t>(first),
-                                       lower_bound.begin() + static_cast<std::ptrdiff_t>(last) + 1,
-                                       [&](double bound) { return shape.top() < bound; });
-    if (!is_hidden)
-      m_arcs.push_back(shape);
+    const PlaneEllipse*& best = highest[columns.index(shape.centre.x())];
+    if (!best || shape.centre.y() > best->centre.y())
+      best = &shape;
   }
+  for (const PlaneEllipse* shape : highest)
+    if (shape)
+      bound.raise(*shape);
+  for (const PlaneEllipse& shape : outlines)
+    if (!bound.hides(shape))
+      bound.raise(shape);
+  for (const PlaneEllipse& shape : outlines)
+    if (!bound.hides(shape))
+      m_arcs.push_back(shape);
 }
 
 /// Abscissas between which the highest arc cannot change: arc ends and crossings of arcs.

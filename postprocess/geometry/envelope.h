@@ -32,6 +32,8 @@ class UpperEnvelope {
   };
   static constexpr std::size_t no_arc = static_cast<std::size_t>(-1);
 
+  class SurfaceBound;
+
   void keep_surface_arcs(const std::vector<PlaneEllipse>& outlines);
   std::vector<double> breakpoints() const;
   void build();

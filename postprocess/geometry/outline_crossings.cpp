@@ -31,6 +31,9 @@ struct TrigonometricPolynomial {
     return {k + c1 * c + s1 * s + c2 * cc + s2 * ss, s1 * c - c1 * s + 2.0 * (s2 * cc - c2 * ss)};
   }
   double value(double t) const { return at(t).value; }
+  double curvature(double c, double s) const {
+    return -(c1 * c + s1 * s) - 4.0 * (c2 * (c * c - s * s) + 2.0 * s2 * s * c);
+  }
   double first_wave() const { return std::sqrt(c1 * c1 + s1 * s1); }
   double second_wave() const { return std::sqrt(c2 * c2 + s2 * s2); }
   double largest_curvature() const { return first_wave() + 4.0 * second_wave(); }
@@ -84,27 +87,33 @@ void turn(double angle, double& cosine, double& sine) {
   cosine = turned;
 }
 
-/// Root in an interval in which f changes its sign and is monotone: Newton's method, kept within
-/// the shrinking bracket. The error after the last step is about its square over the interval.
-Root bracketed_root(const TrigonometricPolynomial& f, double begin, double end, const Sample& start,
-                    bool rises) {
-  constexpr double small_turn = 0.05;
+/// Root in an interval in which f changes its sign and is monotone: the parabola of value, slope and
+/// curvature is solved again and again, kept within the shrinking bracket. A step's error is about
+/// bound step^3 / (3 slope).
+Root bracketed_root(const TrigonometricPolynomial& f, double bound, double begin, double end,
+                    const Sample& start, bool rises) {
+  constexpr double small_turn = 0.05, largest_error = 1.0e-17;
   Root root{start.t, start.cosine, start.sine, rises};
   const double last_step = std::max(1e-10 * (end - begin), 1e-16 * two_pi);
   for (int step = 0; step < 60; ++step) {
     const auto jet = f.at(root.cosine, root.sine);
     ((jet.value < 0.0) == rises ? begin : end) = root.t;
-    const double newton = root.t - jet.value / jet.slope;
-    const double next = newton >= begin && newton <= end ? newton : 0.5 * (begin + end);
-    const double change = next - root.t;
+    const double curvature = f.curvature(root.cosine, root.sine);
+    const double squared = jet.slope * jet.slope - 2.0 * jet.value * curvature;
+    const double steepness = std::sqrt(std::max(0.0, squared));
+    const double parabola =
+        root.t - 2.0 * jet.value / (jet.slope + std::copysign(steepness, jet.slope));
+    const double next = parabola >= begin && parabola <= end ? parabola : 0.5 * (begin + end);
+    const double change = next - root.t, size = std::abs(change);
     root.t = next;
-    if (std::abs(change) < small_turn) {
+    if (size < small_turn) {
       turn(change, root.cosine, root.sine);
     } else {
       root.cosine = std::cos(next);
       root.sine = std::sin(next);
     }
-    if (std::abs(change) <= last_step)
+    if (size <= last_step || (next == parabola && squared > 0.0 &&
+                              bound * size * size * size <= largest_error * steepness))
       break;
   }
   return root;
@@ -145,7 +154,7 @@ void collect_roots(const TrigonometricPolynomial& f, double bound, std::size_t d
   middle.value = jet.value;
   const bool is_monotone = std::abs(jet.slope) > 0.5 * bound * width;
   if (sign_changes && (is_monotone || width < closest_roots)) {
-    roots.push_back(bracketed_root(f, begin.t, end.t, middle, begin.value < 0.0));
+    roots.push_back(bracketed_root(f, bound, begin.t, end.t, middle, begin.value < 0.0));
     return;
   }
   if (is_monotone || width < closest_roots)

@@ -33,6 +33,8 @@ double PlaneEllipse::area_under_upper(double x0, double x1) const {
 }
 
 double PlaneEllipse::green(double t0, double t1) const {
+  if (t0 == 0.0 && t1 == 2.0 * pi)
+    return area();
   return 0.5 * (ux * vy * (t1 - t0) + cross(centre, at(t1) - at(t0)));
 }
 

@@ -101,32 +101,74 @@ void add_edge(const Edge& edge, const std::vector<PlaneEllipse>& outlines, Union
 }
 
 /// The parts of every outline that are hidden by others or by the region's outside.
-struct HiddenArcs {
-  std::vector<std::vector<ArcInterval>> by_own;    ///< outlines of the same owner, or the outside
-  std::vector<std::vector<ArcInterval>> by_others; ///< outlines of other owners
-};
+class HiddenArcs {
+ public:
+  HiddenArcs(const std::vector<PlaneEllipse>& outlines, const std::vector<Edge>& edges)
+      : m_first(outlines.size() + 1, 0) {
+    find_all(outlines, edges);
+    // counted, then put in the order of their outlines
+    for (const Hidden& hidden : m_found)
+      ++m_first[hidden.outline + 1];
+    for (std::size_t i = 0; i < outlines.size(); ++i)
+      m_first[i + 1] += m_first[i];
+    m_ordered.resize(m_found.size());
+    std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
+    for (const Hidden& hidden : m_found)
+      m_ordered[next[hidden.outline]++] = hidden;
+  }
 
-HiddenArcs hidden_arcs(const std::vector<PlaneEllipse>& outlines, const std::vector<Edge>& edges) {
-  std::vector<Vector3> centres;
-  std::vector<double> radii;
-  for (const PlaneEllipse& shape : outlines) {
-    centres.push_back({shape.centre.x(), shape.centre.y(), 0.0});
-    radii.push_back(shape.bounding_radius());
+  /// Those of one outline: `own` by outlines of the same owner or the outside, and `all`.
+  void of_outline(std::size_t i, std::vector<ArcInterval>& own,
+                  std::vector<ArcInterval>& all) const {
+    own.clear();
+    all.clear();
+    for (std::size_t k = m_first[i]; k < m_first[i + 1]; ++k) {
+      all.push_back(m_ordered[k].arc);
+      if (m_ordered[k].is_own)
+        own.push_back(m_ordered[k].arc);
+    }
   }
-  CellGrid grid(centres, radii);
-  HiddenArcs hidden;
-  hidden.by_own.resize(outlines.size());
-  hidden.by_others.resize(outlines.size());
-  for (std::size_t i = 0; i < outlines.size(); ++i) {
-    for (const Edge& edge : edges)
-      append_beyond_line(outlines[i], edge.outward, edge.offset, hidden.by_own[i]);
-    grid.for_later_neighbours(i, [&](std::size_t j) {
-      auto& arcs = outlines[i].owner == outlines[j].owner ? hidden.by_own : hidden.by_others;
-      append_covered(outlines[i], outlines[j], arcs[i], arcs[j]);
-    });
+
+ private:
+  struct Hidden {
+    std::size_t outline;
+    bool is_own; ///< by an outline of the same owner, or by the outside
+    ArcInterval arc;
+  };
+
+  /// Moves arcs to the list of those found.
+  void add(std::size_t outline, bool is_own, std::vector<ArcInterval>& arcs) {
+    for (const ArcInterval& arc : arcs)
+      m_found.push_back({outline, is_own, arc});
+    arcs.clear();
   }
-  return hidden;
-}
+
+  void find_all(const std::vector<PlaneEllipse>& outlines, const std::vector<Edge>& edges) {
+    std::vector<Vector3> centres;
+    std::vector<double> radii;
+    for (const PlaneEllipse& shape : outlines) {
+      centres.push_back({shape.centre.x(), shape.centre.y(), 0.0});
+      radii.push_back(shape.bounding_radius());
+    }
+    CellGrid grid(centres, radii);
+    std::vector<ArcInterval> of_i, of_j;
+    for (std::size_t i = 0; i < outlines.size(); ++i) {
+      for (const Edge& edge : edges)
+        if (edge.outward.dot(outlines[i].centre) + radii[i] > edge.offset)
+          append_beyond_line(outlines[i], edge.outward, edge.offset, of_i);
+      add(i, true, of_i);
+      grid.for_later_neighbours(i, [&](std::size_t j) {
+        append_covered(outlines[i], outlines[j], of_i, of_j);
+        const bool is_own = outlines[i].owner == outlines[j].owner;
+        add(i, is_own, of_i);
+        add(j, is_own, of_j);
+      });
+    }
+  }
+
+  std::vector<Hidden> m_found, m_ordered;
+  std::vector<std::size_t> m_first; ///< of each outline in m_ordered
+};
 
 } // namespace
 
@@ -136,11 +178,11 @@ UnionMeasures union_in_region(const std::vector<PlaneEllipse>& outlines,
   if (region.size() < 3)
     return result;
   const std::vector<Edge> edges = edges_of(region);
-  HiddenArcs hidden = hidden_arcs(outlines, edges);
+  const HiddenArcs hidden(outlines, edges);
+  std::vector<ArcInterval> own, all;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const PlaneEllipse& shape = outlines[i];
-    auto &own = hidden.by_own[i], &all = hidden.by_others[i];
-    all.insert(all.end(), own.begin(), own.end());
+    hidden.of_outline(i, own, all);
     for_uncovered(own, two_pi,
                   [&](double t0, double t1) { result.area_sum += shape.green(t0, t1); });
     for_uncovered(all, two_pi, [&](double t0, double t1) { result.area += shape.green(t0, t1); });

@@ -73,7 +73,8 @@ LineFit fit_line(const std::vector<Point>& points) {
   const auto n = static_cast<double>(points.size());
   Point mean(0.0, 0.0);
   for (const Point& p : points)
-    mean += p / n;
+    mean += p;
+  mean /= n;
   double sxx = 0.0, sxy = 0.0;
   for (const Point& p : points) {
     sxx += (p.x() - mean.x()) * (p.x() - mean.x());
