@@ -18,27 +18,27 @@ class CellGrid {
   /// @param[in] centres, radii of the balls (length); the references must outlive the grid
   CellGrid(const std::vector<Vector3>& centres, const std::vector<double>& radii)
       : m_centres(centres), m_radii(radii) {
+    m_cell_of_ball.reserve(centres.size());
     double largest = 0.0;
     for (const double radius : radii)
       largest = std::fmax(largest, radius);
     m_cell_size = largest > 0.0 ? 2.0 * largest : 1.0;
-    m_balls.reserve(centres.size());
-    for (std::size_t k = 0; k < centres.size(); ++k)
-      m_balls.push_back({key(cell(centres[k].x), cell(centres[k].y), cell(centres[k].z)), k});
-    std::sort(m_balls.begin(), m_balls.end(), [](const Ball& p, const Ball& q) {
-      return p.cell_key < q.cell_key || (p.cell_key == q.cell_key && p.index < q.index);
-    });
-    find_neighbour_columns();
+    std::vector<Cell> cells;
+    cells.reserve(centres.size());
+    for (const Vector3& centre : centres)
+      cells.push_back({cell(centre.x), cell(centre.y), cell(centre.z)});
+    if (!number_cells(cells))
+      sort_cells(cells);
   }
 
   /// Calls visit(j) for every ball j > i that overlaps ball i. Candidates are first put into a row
   /// without branches, which no processor could predict.
   template <class Visitor> void for_later_neighbours(std::size_t i, const Visitor& visit) {
-    const Columns& columns = m_columns[m_cell_of_ball[i]];
     const Vector3 centre = m_centres[i];
     const double radius = m_radii[i];
     std::size_t found = 0;
-    for (const auto& [begin, end] : columns) {
+    for (std::size_t k = 0; k < column_count; ++k) {
+      const auto [begin, end] = column(m_cell_of_ball[i], k);
       m_found.resize(std::max(m_found.size(), found + (end - begin) + 1));
       for (std::size_t place = begin; place < end; ++place) {
         const Placed& other = m_placed[place];
@@ -54,6 +54,9 @@ class CellGrid {
   }
 
  private:
+  struct Cell {
+    std::int64_t x, y, z;
+  };
   /// A ball and its cell; sorted by cell, so that neighbours along y follow each other (piles in a
   /// plane are one cell thick along z).
   struct Ball {
@@ -67,9 +70,62 @@ class CellGrid {
   static std::uint64_t column_shift(std::size_t column) {
     return ((column / 3 - 1) << x_bit) + ((column % 3 - 1) << z_bit);
   }
-
   /// Places of the balls of a column: from first to second, without it.
-  using Columns = std::array<std::pair<std::size_t, std::size_t>, column_count>;
+  using Places = std::pair<std::size_t, std::size_t>;
+  using Columns = std::array<Places, column_count>;
+
+  /// Column k of the neighbours of a cell: looked up where the cells are numbered.
+  Places column(std::size_t home, std::size_t k) const {
+    if (m_starts.empty())
+      return m_columns[home][k];
+    const std::size_t middle = home + (k / 3) * m_step_x + (k % 3) * m_step_z;
+    return {m_starts[middle - m_step_x - m_step_z - 1], m_starts[middle - m_step_x - m_step_z + 2]};
+  }
+
+  /// Puts the balls in order by counting those of each cell of the surrounding box (and of an empty
+  /// layer around it); false where the box would have far more cells than there are balls.
+  bool number_cells(const std::vector<Cell>& cells) {
+    if (cells.empty())
+      return true;
+    Cell lower = cells.front(), upper = lower;
+    for (const Cell& c : cells) {
+      lower = {std::min(lower.x, c.x), std::min(lower.y, c.y), std::min(lower.z, c.z)};
+      upper = {std::max(upper.x, c.x), std::max(upper.y, c.y), std::max(upper.z, c.z)};
+    }
+    const auto along = [](std::int64_t from, std::int64_t to) {
+      return static_cast<std::size_t>(to - from + 3);
+    };
+    const std::size_t most = 1000 + 20 * cells.size();
+    m_step_z = along(lower.y, upper.y);
+    m_step_x = m_step_z * along(lower.z, upper.z); // at most 4e12: no overflow
+    if (m_step_x > most || m_step_x * along(lower.x, upper.x) > most)
+      return false;
+    m_starts.assign(m_step_x * along(lower.x, upper.x) + 1, 0);
+    for (const Cell& c : cells) {
+      m_cell_of_ball.push_back(static_cast<std::size_t>(c.x - lower.x + 1) * m_step_x +
+                               static_cast<std::size_t>(c.z - lower.z + 1) * m_step_z +
+                               static_cast<std::size_t>(c.y - lower.y + 1));
+      ++m_starts[m_cell_of_ball.back()];
+    }
+    std::size_t end = 0;
+    for (std::size_t& start : m_starts)
+      start = end += start; // of the cell's last ball, plus one
+    m_placed.resize(cells.size());
+    for (std::size_t k = cells.size(); k-- > 0;)
+      m_placed[--m_starts[m_cell_of_ball[k]]] = {m_centres[k], m_radii[k], k};
+    return true;
+  }
+
+  /// Puts the balls in order by sorting them.
+  void sort_cells(const std::vector<Cell>& cells) {
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      m_balls.push_back({key(cells[k].x, cells[k].y, cells[k].z), k});
+    std::sort(m_balls.begin(), m_balls.end(), [](const Ball& p, const Ball& q) {
+      return p.cell_key < q.cell_key || (p.cell_key == q.cell_key && p.index < q.index);
+    });
+    find_neighbour_columns();
+  }
+
   /// A copy of a ball where neighbours in space are neighbours in memory.
   struct Placed {
     Vector3 centre;
@@ -97,8 +153,8 @@ class CellGrid {
   }
 
   /// To the balls of the cell with this key and of its two neighbours along y.
-  void advance(std::pair<std::size_t, std::size_t>& column, std::uint64_t middle) const {
-    auto& [begin, end] = column;
+  void advance(Places& places, std::uint64_t middle) const {
+    auto& [begin, end] = places;
     while (begin < m_balls.size() && m_balls[begin].cell_key < middle - 1)
       ++begin;
     end = std::max(begin, end);
@@ -123,11 +179,15 @@ class CellGrid {
   const std::vector<Vector3>& m_centres;
   const std::vector<double>& m_radii;
   double m_cell_size = 1.0;
+  std::vector<Placed> m_placed;            ///< balls, cell by cell
+  std::vector<std::size_t> m_cell_of_ball; ///< number of its cell, or index into m_columns
+  // numbered cells
+  std::size_t m_step_x = 0, m_step_z = 0; ///< from a cell to the next one along x, z
+  std::vector<std::size_t> m_starts;      ///< of each cell in m_placed
+  // sorted cells
   std::vector<Ball> m_balls;
-  std::vector<Placed> m_placed;         ///< in the order of m_balls
-  std::vector<Columns> m_columns;       ///< of the cells that are not empty
-  std::vector<std::size_t> m_cell_of_ball; ///< index into m_columns
-  std::vector<std::size_t> m_found;
+  std::vector<Columns> m_columns; ///< of the cells that are not empty
+  std::vector<std::size_t> m_found; ///< neighbours of a ball
 };
 
 } // namespace ellipsoid::post

@@ -257,7 +257,7 @@ std::vector<Root> seen_from_other(const std::vector<Root>& roots, const PlaneEll
 } // namespace
 
 std::vector<double> crossings(const PlaneEllipse& i, const PlaneEllipse& j) {
-  if (are_apart(i, j))
+  if (are_apart(i, j) || are_apart(j, i))
     return {};
   const TrigonometricPolynomial f = level_along(i, j);
   std::vector<double> result;
@@ -269,7 +269,7 @@ std::vector<double> crossings(const PlaneEllipse& i, const PlaneEllipse& j) {
 
 void append_covered(const PlaneEllipse& i, const PlaneEllipse& j, std::vector<ArcInterval>& of_i,
                     std::vector<ArcInterval>& of_j) {
-  if (are_apart(i, j))
+  if (are_apart(i, j) || are_apart(j, i))
     return;
   const TrigonometricPolynomial along_i = level_along(i, j);
   if (along_i.size() < same_outline) {
