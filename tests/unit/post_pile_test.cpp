@@ -1,7 +1,10 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Measures of synthetic piles whose answers are known.
+#include "cell_grid.h"
 #include "coordination.h"
+#include "disjoint_sets.h"
+#include "ellipsoid_contact.h"
 #include "porosity.h"
 #include "repose.h"
 
@@ -9,6 +12,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
+#include <set>
 
 namespace ellipsoid::post {
 namespace {
@@ -290,6 +294,109 @@ TEST(Coordination, sphere_sphere_contacts_of_two_chains_side_by_side) {
   EXPECT_EQ(z.pairs, 1u);
   EXPECT_DOUBLE_EQ(z.zss, static_cast<double>(expected));
   EXPECT_DOUBLE_EQ(z.zpp, 1.0);
+}
+
+/// Balls in a box, and some so far away that the cells cannot be numbered one by one.
+TEST(CellGrid, finds_the_pairs_of_brute_force) {
+  for (const double far_away : {1.0, 1.0e5, 1.0e12}) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> in_box(-1.0, 1.0), size(0.02, 0.15);
+    std::vector<Vector3> centres;
+    std::vector<double> radii;
+    for (int k = 0; k < 300; ++k) {
+      const double factor = k % 50 == 0 ? far_away : 1.0;
+      centres.push_back({factor * in_box(random), in_box(random), factor * in_box(random)});
+      radii.push_back(size(random));
+    }
+    std::set<std::pair<std::size_t, std::size_t>> expected, found;
+    for (std::size_t i = 0; i < centres.size(); ++i)
+      for (std::size_t j = i + 1; j < centres.size(); ++j)
+        if (norm(centres[j] - centres[i]) <= radii[i] + radii[j])
+          expected.insert({i, j});
+    CellGrid grid(centres, radii);
+    for (std::size_t i = 0; i < centres.size(); ++i)
+      grid.for_later_neighbours(
+          i, [&](std::size_t j) { EXPECT_TRUE(found.insert({i, j}).second) << i << " " << j; });
+    EXPECT_GT(expected.size(), 100u);
+    EXPECT_EQ(found, expected) << far_away;
+  }
+}
+
+/// Ellipsoids with three different axes, of different sizes and turned at random, in a box of
+/// `width`; every fourth one is a chain of three balls.
+ParticleSet random_bodies(std::size_t count, double width, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> in_box(0.0, width), axis(0.02, 0.2);
+  std::normal_distribution<double> gauss;
+  ParticleSet set;
+  for (std::size_t k = 0; k < count; ++k) {
+    Particle p;
+    p.semiaxes = {axis(random), axis(random), axis(random)};
+    p.centre = {in_box(random), in_box(random), in_box(random)};
+    p.orientation =
+        normalized(Quaternion{gauss(random), gauss(random), gauss(random), gauss(random)});
+    if (k % 4 == 0) {
+      p.first_sphere = set.spheres.size();
+      p.sphere_count = 3;
+      for (const double along : {-1.0, 0.0, 1.0})
+        set.spheres.push_back({p.centre + along * Vector3{0.05, 0.03, 0.0}, 0.06});
+    }
+    set.particles.push_back(p);
+  }
+  number(set);
+  return set;
+}
+
+/// Every pair, body by body, searched from scratch.
+TEST(Contacts, are_those_of_single_searches) {
+  constexpr double gap = 0.01;
+  const ParticleSet set = random_bodies(150, 1.0, 11);
+  const ContactNetwork network = find_contacts(set, gap);
+  const auto bodies = [&](const Particle& p) {
+    std::vector<std::pair<EllipsoidShape, Vector3>> shapes;
+    const auto enlarged = [&](const Vector3& s) {
+      return s + Vector3{0.5 * gap, 0.5 * gap, 0.5 * gap};
+    };
+    if (p.is_smooth())
+      shapes.push_back({make_shape(enlarged(p.semiaxes), p.orientation), p.centre});
+    for (std::size_t k = p.first_sphere; k < p.first_sphere + p.sphere_count; ++k) {
+      const double r = set.spheres[k].radius;
+      shapes.push_back({make_shape(enlarged({r, r, r}), {}), set.spheres[k].centre});
+    }
+    return shapes;
+  };
+  std::size_t contact = 0;
+  for (std::size_t i = 0; i < set.particles.size(); ++i)
+    for (std::size_t j = i + 1; j < set.particles.size(); ++j)
+      for (const auto& [shape_i, centre_i] : bodies(set.particles[i]))
+        for (const auto& [shape_j, centre_j] : bodies(set.particles[j])) {
+          const ContactGeometry alone = find_contact(shape_i, shape_j, centre_j - centre_i);
+          if (alone.overlap < 0.0)
+            continue;
+          ASSERT_LT(contact, network.contacts.size());
+          // the search ends at an error of 1e-12 rad in the normal, and of its square in the overlap
+          EXPECT_NEAR(network.contacts[contact++].overlap, alone.overlap - gap, 1e-14);
+        }
+  EXPECT_EQ(contact, network.contacts.size());
+  EXPECT_GT(contact, 200u);
+}
+
+TEST(Contacts, clusters_are_those_of_the_contacts) {
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    const double gap = 0.002 * (seed % 3);
+    const ParticleSet set = random_bodies(120, 1.9, seed);
+    DisjointSets expected(set.particles.size());
+    for (const PairContact& pair : find_contacts(set, gap).pairs)
+      expected.join(pair.i, pair.j);
+    const std::vector<std::size_t> clusters = touching_clusters(set, gap);
+    std::set<std::size_t> different;
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+      EXPECT_EQ(clusters[i], expected.root(i)) << "seed " << seed;
+      different.insert(clusters[i]);
+    }
+    EXPECT_GT(different.size(), 10u) << "seed " << seed;
+    EXPECT_LT(different.size(), 110u) << "seed " << seed;
+  }
 }
 
 } // namespace
