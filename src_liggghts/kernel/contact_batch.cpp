@@ -135,10 +135,10 @@ inline void solve_block(Columns& c, int begin) {
 #pragma GCC ivdep
     for (int m = 0; m < block; ++m)
       newton_step({c, b, begin + m, m});
-    double open = 0.0;
+    int open = 0;
     for (int k = begin; k < begin + block; ++k)
-      open += c.out[Columns::open][k];
-    if (open == 0.0 || step + 1 == step_limit)
+      open |= static_cast<int>(c.out[Columns::open][k] != 0.0);
+    if (open == 0 || step + 1 == step_limit)
       break;
 #pragma GCC ivdep
     for (int m = 0; m < block; ++m)
