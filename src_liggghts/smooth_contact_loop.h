@@ -45,15 +45,60 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     __builtin_prefetch(this->particles_.v[i]);
     __builtin_prefetch(this->particles_.omega[i]);
   }
-  double travelled(int i) const { return paths_[i]; }
-  double travel_bound() const { return paths_.bound(); }
+  const ellipsoid::Travels& travels() const { return paths_.travels(); }
 
   const ellipsoid::EllipsoidShape& shape(int i) { return shapes_[i]; }
 
+  /// Most pairs that slept are still apart: one Newton step from the normal that separated them
+  /// tells how far.
+  __attribute__((noinline)) void look_at_woken(const std::vector<typename Base::ListPair>& pairs) {
+    for (const typename Base::ListPair& pair : pairs) {
+      const ellipsoid::Vector3 distance = this->centre_distance(pair.i, pair.j);
+      double* history = this->history(pair);
+      const double bounding_gap = this->bounding_gap(pair.i, pair.j, distance);
+      if (bounding_gap > 0.0) {
+        this->put_to_sleep(pair, bounding_gap);
+        continue;
+      }
+      const ellipsoid::Vector3 remembered = -ellipsoid_host::vector(&history[normal_x]);
+      const bool has_normal = dot(remembered, remembered) > 0.5; // unit vector, or zero
+      woken_[batch_.size()] = {pair, history};
+      batch_.add(shape(pair.i), shape(pair.j), distance,
+                 has_normal ? remembered : ellipsoid::normalized(distance));
+      if (batch_.full())
+        finish_woken();
+    }
+    finish_woken();
+  }
+
+  struct WokenPair {
+    typename Base::ListPair pair;
+    double* history;
+  };
+  WokenPair woken_[ellipsoid::ContactBatch::capacity];
+
+  void finish_woken() {
+    batch_.find_gaps();
+    for (int k = 0; k < batch_.size(); ++k) {
+      const auto [pair, history] = woken_[k];
+      const double gap = batch_.gap(k), share = this->share(pair.j);
+      counts_.values[ContactCounts::tested] += share;
+      counts_.values[ContactCounts::newton_steps] += share;
+      if (!(gap > 0.0)) {
+        this->stay_awake(pair);
+        continue;
+      }
+      if (contact_.computeflag)
+        ellipsoid_host::store(-batch_.normal(k), &history[normal_x]);
+      this->put_to_sleep(pair, gap);
+    }
+    batch_.clear();
+  }
+
   /// A touching pair starts from its last normal, together with others. All others start from
-  /// scratch once a remembered separating normal fails: what a new contact is does not depend on
-  /// what happened before it, nor on whether the run was interrupted.
-  double treat_pair(int i, int j, std::size_t, double, int& flag, double* history) {
+  /// scratch: what a new contact is does not depend on what happened before it, nor on whether the
+  /// run was interrupted.
+  double treat_pair(int i, int j, std::size_t, int& flag, double* history) {
     const ellipsoid::Vector3 distance = this->centre_distance(i, j);
     const ellipsoid::Vector3 remembered = -ellipsoid_host::vector(&history[normal_x]);
     const bool has_normal = dot(remembered, remembered) > 0.5; // unit vector, or zero

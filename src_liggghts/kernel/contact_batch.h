@@ -36,6 +36,16 @@ public:
   /// Searches the contacts of all pairs added.
   void solve();
 
+  /// Instead of solve(): for pairs that should be apart. One Newton step, no more.
+  void find_gaps();
+  /// A length by which the bodies of pair k are apart at least, with normal(k) as the proof; not
+  /// positive where none was found.
+  double gap(int k) const { return -columns_.out[Columns::overlap][k]; }
+  Vector3 normal(int k) const {
+    return {columns_.out[Columns::nx][k], columns_.out[Columns::ny][k],
+            columns_.out[Columns::nz][k]};
+  }
+
   /// What find_contact_from() would say of pair k, to the tolerances of contact_tolerances.h.
   ContactGeometry geometry(int k) const;
 
@@ -57,6 +67,7 @@ private:
   Columns columns_;
   const EllipsoidShape *shape_i_[capacity], *shape_j_[capacity];
 
+  void fill_last_block();
   ContactGeometry search_alone(int k) const;
 };
 
