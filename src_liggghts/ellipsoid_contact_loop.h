@@ -40,6 +40,7 @@ using SearchHistory = std::vector<std::pair<std::string, bool>>;
 /// @tparam Surface the derived class. It has
 ///          - prepare(): before the first pair; returns whether the neighbour lists are new;
 ///          - begin_lists(pairs): after that, if they are;
+///          - treat_new_lists(): then, with all pairs;
 ///          - prefetch_particle(i): asks the processor for the data of a particle;
 ///          - travels(): how far any point of each particle has moved at most since then;
 ///          - look_at_woken(pairs): pairs that slept; each goes on sleeping by put_to_sleep(), or
@@ -104,7 +105,7 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
       surface.begin_lists(begin_lists());
     counts_.values[ContactCounts::near_pairs] = near_pairs_;
     if (new_lists) {
-      treat_all_pairs();
+      surface.treat_new_lists();
     } else {
       wake_pairs();
       treat_awake_pairs();

@@ -66,6 +66,7 @@ class MultisphereContactLoop : public EllipsoidContactLoop<MultisphereContactLoo
     __builtin_prefetch(Base::particles_.omega[i]);
   }
   const ellipsoid::Travels& travels() const { return particles_.travels(); }
+  void treat_new_lists() { this->treat_all_pairs(); }
   void look_at_woken(const std::vector<typename Base::ListPair>& pairs) {
     for (const typename Base::ListPair& pair : pairs)
       this->stay_awake(pair);

@@ -49,6 +49,27 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
 
   const ellipsoid::EllipsoidShape& shape(int i) { return shapes_[i]; }
 
+  /// Most pairs that do not touch need no search.
+  void treat_new_lists() {
+    constexpr std::size_t together = 4096;
+    std::size_t place = 0;
+    this->woken_.clear();
+    this->for_each_pair([this, &place](int i, int j) {
+      const typename Base::ListPair pair{place++, i, j};
+      if (this->history(pair)[was_touching] != 0.0) {
+        this->stay_awake(pair);
+        return;
+      }
+      this->woken_.push_back(pair);
+      if (this->woken_.size() == together) {
+        look_at_woken(this->woken_);
+        this->woken_.clear();
+      }
+    });
+    look_at_woken(this->woken_);
+    this->treat_awake_pairs();
+  }
+
   /// Most pairs that slept are still apart: one Newton step from the normal that separated them
   /// tells how far.
   __attribute__((noinline)) void look_at_woken(const std::vector<typename Base::ListPair>& pairs) {
@@ -62,7 +83,7 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
       }
       const ellipsoid::Vector3 remembered = -ellipsoid_host::vector(&history[normal_x]);
       const bool has_normal = dot(remembered, remembered) > 0.5; // unit vector, or zero
-      woken_[batch_.size()] = {pair, history};
+      looked_at_[batch_.size()] = {pair, history};
       batch_.add(shape(pair.i), shape(pair.j), distance,
                  has_normal ? remembered : ellipsoid::normalized(distance));
       if (batch_.full())
@@ -75,12 +96,12 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     typename Base::ListPair pair;
     double* history;
   };
-  WokenPair woken_[ellipsoid::ContactBatch::capacity];
+  WokenPair looked_at_[ellipsoid::ContactBatch::capacity];
 
   void finish_woken() {
     batch_.find_gaps();
     for (int k = 0; k < batch_.size(); ++k) {
-      const auto [pair, history] = woken_[k];
+      const auto [pair, history] = looked_at_[k];
       const double gap = batch_.gap(k), share = this->share(pair.j);
       counts_.values[ContactCounts::tested] += share;
       counts_.values[ContactCounts::newton_steps] += share;
