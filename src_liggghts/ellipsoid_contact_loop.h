@@ -41,6 +41,7 @@ using SearchHistory = std::vector<std::pair<std::string, bool>>;
 ///          - prepare(): before the first pair; returns whether the neighbour lists are new;
 ///          - begin_lists(pairs): after that, if they are;
 ///          - treat_new_lists(): then, with all pairs;
+///          - asks_flags: false if every pair that stays awake touches and its flag is left alone;
 ///          - prefetch_particle(i): asks the processor for the data of a particle;
 ///          - travels(): how far any point of each particle has moved at most since then;
 ///          - look_at_woken(pairs): pairs that slept; each goes on sleeping by put_to_sleep(), or
@@ -139,9 +140,7 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
   };
   std::vector<ListPair> woken_;
 
-  struct AwakePair {
-    std::size_t place;
-    int i, j;
+  struct AwakePair : ListPair {
     bool touched; ///< in the last step
     int* flag;
     double* history;
@@ -202,8 +201,7 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
 
   AwakePair awake(const ListPair& pair) const {
     const std::size_t jj = pair.place - sleeping_.first_place(pair.i);
-    return {pair.place, pair.i, pair.j, false, &pair_->listgranhistory->firstneigh[pair.i][jj],
-            history(pair)};
+    return {pair, false, &pair_->listgranhistory->firstneigh[pair.i][jj], history(pair)};
   }
 
   /// Returns whether the pair stays awake.
@@ -211,7 +209,7 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
     Surface& surface = static_cast<Surface&>(*this);
     const double gap = surface.treat_pair(pair.i, pair.j, pair.place, *pair.flag, pair.history);
     if (gap > 0.0)
-      put_to_sleep({pair.place, pair.i, pair.j}, gap);
+      put_to_sleep(pair, gap);
     return !(gap > 0.0);
   }
 
@@ -231,7 +229,7 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
       prefetch(k + pairs_ahead);
       if (!treat(pair))
         continue;
-      const bool touches = *pair.flag != 0;
+      const bool touches = Surface::asks_flags ? *pair.flag != 0 : true;
       if (kept != k)
         awake_[kept] = pair;
       awake_[kept++].touched = touches;
@@ -260,7 +258,8 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
   __attribute__((always_inline)) void prefetch(std::size_t k) const {
     if (k >= awake_.size() || !awake_[k].touched)
       return;
-    __builtin_prefetch(awake_[k].flag, 1);
+    if (Surface::asks_flags)
+      __builtin_prefetch(awake_[k].flag, 1);
     __builtin_prefetch(awake_[k].history, 1);
     __builtin_prefetch(awake_[k].history + doubles_per_cache_line, 1);
     static_cast<const Surface&>(*this).prefetch_particle(awake_[k].j);
@@ -275,6 +274,8 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
     else
       pair_->evflag = pair_->vflag_fdotr = 0;
     history_values_ = pair_->dnum();
+    if (in_batches_)
+      tables_.begin_step();
     particles_ = ParticleArrays(*atom);
     newton_ = force->newton_pair;
     counts_ = ContactCounts();
@@ -322,6 +323,7 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
     int* flag;
     ellipsoid::Vector3 distance; ///< x_j - x_i (length)
     double mass_i, mass_j, effective_mass;
+    bool is_flagged = false; ///< by the last step
   };
 
   /// One contact.
@@ -329,7 +331,7 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
     ellipsoid::Vector3 normal; ///< unit, from i to j
     ellipsoid::Vector3 point;  ///< relative to the centre of i (length)
     double overlap, reduced_radius;
-    double radius_i, radius_j; ///< of the local spheres (length)
+    double radius_i, radius_j; ///< Gaussian radii of curvature (length)
     double* history;
     double weight = 1.0; ///< of its force in the sum
     int sphere_i = -1, sphere_j = -1;
@@ -369,7 +371,8 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
     }
     using ellipsoid_host::vector;
     const int i = pair.i, j = pair.j;
-    *pair.flag |= CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
+    if (!pair.is_flagged)
+      *pair.flag |= CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
     waiting_contacts_[law_batch_.size()] = {i,
                                             j,
                                             pair.flag,
@@ -482,9 +485,12 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
     ellipsoid_host::store(ellipsoid_host::vector(atom->x[i]) + touch.point, c.contact_point);
     c.deltan = std::max(0.0, touch.overlap);
     c.reff = touch.reduced_radius;
-    c.radi = pair_->curvature_radius_i = touch.radius_i;
-    c.radj = pair_->curvature_radius_j = touch.radius_j;
-    c.radsum = touch.radius_i + touch.radius_j;
+    // local spheres with the Gaussian radii of curvature, scaled so that their R is that of (19)
+    const double scale = touch.reduced_radius * (touch.radius_i + touch.radius_j) /
+                         (touch.radius_i * touch.radius_j);
+    c.radi = pair_->curvature_radius_i = scale * touch.radius_i;
+    c.radj = pair_->curvature_radius_j = scale * touch.radius_j;
+    c.radsum = c.radi + c.radj;
     c.contact_history = touch.history;
     return c;
   }

@@ -41,6 +41,7 @@ class MultisphereContactLoop : public EllipsoidContactLoop<MultisphereContactLoo
 
  private:
   enum { key_sum, key_difference }; // offsets in a slot
+  static constexpr bool asks_flags = true;
   using SpherePair = ellipsoid::ContactWatch::SpherePair;
 
   /// A search finds the spheres that may touch within so many time steps at the present velocities;

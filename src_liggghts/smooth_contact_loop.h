@@ -28,13 +28,16 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
 
  private:
   enum { normal_x, normal_y, normal_z, was_touching }; // offsets in the history
+  static constexpr bool asks_flags = false;
 
   EllipsoidShapes shapes_;
   SurfacePaths paths_;
+  bool flags_are_set_ = false; // of all pairs that touched in the last step
 
   bool prepare() {
     const bool new_lists = paths_.update(*this->atom, this->neighbor->ago == 0);
-    shapes_.begin_step(*this->atom);
+    shapes_.begin_step(*this->atom, new_lists);
+    flags_are_set_ = !new_lists;
     return new_lists;
   }
   void begin_lists(std::size_t) {}
@@ -124,7 +127,14 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     const ellipsoid::Vector3 remembered = -ellipsoid_host::vector(&history[normal_x]);
     const bool has_normal = dot(remembered, remembered) > 0.5; // unit vector, or zero
     if (has_normal && history[was_touching] != 0.0) {
-      waiting_[batch_.size()] = {i, j, &flag, history, distance};
+      PairAtHand& waiting = waiting_[batch_.size()]; // number by number: see contact_batch.h
+      waiting.i = i;
+      waiting.j = j;
+      waiting.flag = &flag;
+      waiting.history = history;
+      waiting.distance.x = distance.x;
+      waiting.distance.y = distance.y;
+      waiting.distance.z = distance.z;
       batch_.add(shape(i), shape(j), distance, remembered);
       if (batch_.full())
         finish();
@@ -142,7 +152,7 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     }
     ellipsoid::SearchOptions options;
     options.goal = ellipsoid::SearchGoal::distance; // the farther apart, the longer the pair sleeps
-    return treat_result({i, j, &flag, history, distance},
+    return treat_result({i, j, &flag, history, distance, false},
                         find_contact(shape(i), shape(j), distance, options));
   }
 
@@ -159,6 +169,7 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     int* flag;
     double* history;
     ellipsoid::Vector3 distance;
+    bool touched = true; ///< in the last step
   };
 
   ellipsoid::ContactBatch batch_;
@@ -197,16 +208,16 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
   }
 
   void treat_contact(const PairAtHand& pair, const ellipsoid::ContactGeometry& geometry) {
-    // local spheres with the Gaussian radii of curvature, scaled so that their R is that of (19)
-    const double r_i = geometry.curvature_radius_i, r_j = geometry.curvature_radius_j;
-    const double scale = geometry.reduced_radius * (r_i + r_j) / (r_i * r_j);
-    if (contact_.computeflag)
+    typename Base::TouchingPair touching =
+        this->touching_pair(pair.i, pair.j, pair.distance, *pair.flag);
+    touching.is_flagged = pair.touched && flags_are_set_;
+    if (!touching.is_flagged)
+      *pair.flag |= CONTACT_SURFACE_MODEL;
+    if (contact_.computeflag && !pair.touched)
       pair.history[was_touching] = 1.0;
-    *pair.flag |= CONTACT_SURFACE_MODEL;
-    typename Base::Touch touch{
-        geometry.normal, geometry.point, geometry.overlap, geometry.reduced_radius,
-        scale * r_i,     scale * r_j,    pair.history};
-    this->add_contact(this->touching_pair(pair.i, pair.j, pair.distance, *pair.flag), touch);
+    this->add_contact(touching, {geometry.normal, geometry.point, geometry.overlap,
+                                 geometry.reduced_radius, geometry.curvature_radius_i,
+                                 geometry.curvature_radius_j, pair.history});
   }
 };
 
