@@ -188,8 +188,8 @@ ELLIPSOID_VECTOR_VERSIONS(separate_all, Columns)
 
 /// The last block is filled up with its first pair, which is there.
 void ContactBatch::fill_last_block() {
-  const int last = size_ - size_ % block;
-  for (int k = size_; k % block != 0; ++k) {
+  const int last = size() - size() % block;
+  for (int k = size(); k % block != 0; ++k) {
     for (int column = 0; column < Columns::input_count; ++column)
       columns_.in[column][k] = columns_.in[column][last];
     for (int column = 0; column < Columns::result_count; ++column)
@@ -199,12 +199,12 @@ void ContactBatch::fill_last_block() {
 
 void ContactBatch::solve() {
   fill_last_block();
-  search(columns_, size_);
+  search(columns_, size());
 }
 
 void ContactBatch::find_gaps() {
   fill_last_block();
-  separate_all(columns_, size_);
+  separate_all(columns_, size());
 }
 
 ContactGeometry ContactBatch::search_alone(int k) const {

@@ -13,20 +13,13 @@
 // minimum to be the only one. All other pairs (a few in a thousand) go through find_contact_from().
 #pragma once
 
+#include "batch.h"
 #include "ellipsoid_contact.h"
 
 namespace ellipsoid {
 
-class ContactBatch {
-public:
-  static constexpr int capacity = 64;
-  /// A cache line more: columns one power of two apart would all fall on the same few cache sets.
-  static constexpr int column_length = capacity + 8;
-
-  int size() const { return size_; }
-  bool full() const { return size_ == capacity; }
-  void clear() { size_ = 0; }
-
+class ContactBatch : public Batch {
+ public:
   /// @param[in] i, j live until clear()
   /// @param[in] centre_distance x_j - x_i (length)
   /// @param[in] start unit normal from i to j: the last one known
@@ -63,7 +56,6 @@ public:
   };
 
 private:
-  int size_ = 0;
   Columns columns_;
   const EllipsoidShape *shape_i_[capacity], *shape_j_[capacity];
 
@@ -77,7 +69,7 @@ private:
 inline void ContactBatch::add(const EllipsoidShape& i, const EllipsoidShape& j,
                               const Vector3& centre_distance, const Vector3& start) {
   using C = Columns;
-  const int k = size_++;
+  const int k = next();
   const auto put = [this, k](int column, double value) { columns_.in[column][k] = value; };
   const auto put_vector = [&put](int column, const Vector3& v) {
     put(column, v.x);

@@ -29,6 +29,6 @@ ELLIPSOID_VECTOR_VERSIONS(make_shapes, ShapeBatch::Columns)
 
 } // namespace
 
-void ShapeBatch::solve() { make_shapes(columns_, size_); }
+void ShapeBatch::solve() { make_shapes(columns_, size()); }
 
 } // namespace ellipsoid

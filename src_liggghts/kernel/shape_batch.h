@@ -4,25 +4,18 @@
 // vector instructions. The results are those of the function, bit for bit.
 #pragma once
 
+#include "batch.h"
 #include "ellipsoid_contact.h"
 
 namespace ellipsoid {
 
-class ShapeBatch {
+class ShapeBatch : public Batch {
  public:
-  static constexpr int capacity = 64;
-  /// A cache line more: columns one power of two apart would all fall on the same few cache sets.
-  static constexpr int column_length = capacity + 8;
-
-  int size() const { return size_; }
-  bool full() const { return size_ == capacity; }
-  void clear() { size_ = 0; }
-
   /// @param[in] semiaxes    a, b, c along the body's x, y, z (length, > 0)
   /// @param[in] orientation unit quaternion, body to space
   void add(const Vector3& semiaxes, const Quaternion& orientation) {
     using C = Columns;
-    const int k = size_++;
+    const int k = next();
     columns_.in[C::a][k] = semiaxes.x;
     columns_.in[C::b][k] = semiaxes.y;
     columns_.in[C::c][k] = semiaxes.z;
@@ -57,7 +50,6 @@ class ShapeBatch {
   };
 
  private:
-  int size_ = 0;
   Columns columns_;
 };
 
