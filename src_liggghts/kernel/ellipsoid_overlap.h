@@ -117,7 +117,8 @@ inline OverlapFunction extrapolated(const SymmetricMatrix3& a_i, const Symmetric
   const double along_i = dot(f.support_point_i, shift), along_j = dot(f.support_point_j, shift);
   const double growth_i = along_i * f.inverse_support_i, growth_j = along_j * f.inverse_support_j;
   OverlapFunction g;
-  g.normal = (1.0 - 0.5 * dot(shift, shift)) * (f.normal + shift);
+  const Vector3 turned = f.normal + shift;
+  g.normal = (1.5 - 0.5 * dot(turned, turned)) * turned; // what made it longer or shorter is undone
   g.support_point_i = f.support_point_i + f.inverse_support_i * (a_i * shift) -
                       growth_i * f.support_point_i; // W shift
   g.support_point_j =

@@ -168,3 +168,24 @@ TEST(ContactBatch, FindsGaps) {
   }
   EXPECT_GT(found, 15000);
 }
+
+// A lasting contact starts from its own last normal, again and again: no error may grow.
+TEST(ContactBatch, StaysExactOverManySteps) {
+  const EllipsoidShape i = make_shape({2.0, 1.0, 1.0}, Quaternion{});
+  const EllipsoidShape j = make_shape({2.0, 1.0, 1.0}, normalized(Quaternion{1.0, 0.1, 0.3, 0.2}));
+  const auto distance = [](int step) { return Vector3{0.5 + 1e-7 * std::sin(0.1 * step), 1.6, 0.3}; };
+  constexpr int steps = 10000;
+  ContactBatch batch;
+  Vector3 normal = find_contact(i, j, distance(0)).normal;
+  for (int step = 1; step <= steps; ++step) {
+    batch.clear();
+    batch.add(i, j, distance(step), normal);
+    batch.solve();
+    normal = batch.geometry(0).normal;
+  }
+  const ContactGeometry single = find_contact(i, j, distance(steps));
+  ASSERT_EQ(single.status, ContactStatus::touching);
+  EXPECT_NEAR(norm(normal), 1.0, 1e-15);
+  EXPECT_LT(norm(normal - single.normal), 3e-12);
+  EXPECT_NEAR(batch.geometry(0).overlap, single.overlap, 1e-15);
+}
