@@ -1,6 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "number_text.h"
 
+#include "byte_source.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -24,8 +26,6 @@ struct Decimal {
   int exponent = 0;
   bool is_exact = false; ///< `digits` holds all of them
 };
-
-bool is_blank(char letter) { return letter == ' ' || letter == '\t'; }
 
 unsigned digit_at(const char* place) { return static_cast<unsigned char>(*place) - unsigned{'0'}; }
 
