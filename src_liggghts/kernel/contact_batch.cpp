@@ -17,74 +17,136 @@ static_assert(ContactBatch::capacity % block == 0, "whole blocks");
 /// Newton steps before a pair is left to the search of single pairs.
 constexpr int step_limit = 4;
 
-/// One Newton step of pair k: its result if the step settles it, else the next normal.
-inline void newton_step(Columns& c, int k) {
+/// Where the search of the pairs of a block stands.
+struct Block {
+  enum Value { shift_x, shift_y, shift_z, slope, phi, ix, iy, iz, jx, jy, jz, inverse_i, inverse_j,
+               value_count };
+  alignas(64) double of[value_count][block];
+};
+
+/// Numbers of one pair of the batch; `m` is its place in the block that begins with pair `begin`.
+struct PairColumns {
+  Columns& c;
+  Block& b;
+  int k, m;
+
+  SymmetricMatrix3 matrix(int column) const {
+    return {c.in[column][k],     c.in[column + 1][k], c.in[column + 2][k],
+            c.in[column + 3][k], c.in[column + 4][k], c.in[column + 5][k]};
+  }
+  Vector3 distance() const {
+    return {c.in[Columns::dx][k], c.in[Columns::dy][k], c.in[Columns::dz][k]};
+  }
+  Vector3 normal() const {
+    return {c.out[Columns::nx][k], c.out[Columns::ny][k], c.out[Columns::nz][k]};
+  }
+  Vector3 block_vector(int value) const {
+    return {b.of[value][m], b.of[value + 1][m], b.of[value + 2][m]};
+  }
+  bool open() const { return c.out[Columns::open][k] != 0.0; }
+  void put(int column, double value) const { c.out[column][k] = value; }
+  /// Leaves solved pairs as they are.
+  void put_block(int value, double number) const {
+    b.of[value][m] = open() ? number : b.of[value][m];
+  }
+  void put_block(int value, const Vector3& v) const {
+    put_block(value, v.x);
+    put_block(value + 1, v.y);
+    put_block(value + 2, v.z);
+  }
+};
+
+/// One evaluation of phi at the pair's normal: the shift to the next one, and whether the pair is
+/// solved with it.
+inline void newton_step(const PairColumns& p) {
   using C = Columns;
-  const auto in = [&c, k](int column) { return c.in[column][k]; };
-  const SymmetricMatrix3 a_i{in(C::axx_i), in(C::ayy_i), in(C::azz_i),
-                             in(C::axy_i), in(C::axz_i), in(C::ayz_i)};
-  const SymmetricMatrix3 a_j{in(C::axx_j), in(C::ayy_j), in(C::azz_j),
-                             in(C::axy_j), in(C::axz_j), in(C::ayz_j)};
-  const Vector3 distance{in(C::dx), in(C::dy), in(C::dz)};
-  const Vector3 normal{c.out[C::nx][k], c.out[C::ny][k], c.out[C::nz][k]};
-
-  const OverlapFunction f(a_i, a_j, distance, normal);
-  const TangentFrame frame(normal);
-  const TangentMatrix radii = curvature_radii_sum(a_i, a_j, f, frame);
-  const TangentMatrix hessian{radii.xx - f.value, radii.xy, radii.yy - f.value};
-  const double determinant = hessian.determinant(), trace = hessian.trace();
-  const double inverse = 1.0 / determinant;
-  const double g1 = dot(frame.first, f.gradient), g2 = dot(frame.second, f.gradient);
-  const double first = -inverse * (hessian.yy * g1 - hessian.xy * g2);
-  const double second = -inverse * (hessian.xx * g2 - hessian.xy * g1);
-  const double squared = first * first + second * second;
-  const double error = trace * trace * inverse * f.radius_change_rate() * squared;
-  const Vector3 shift = first * frame.first + second * frame.second;
-
-  const OverlapFunction g = extrapolated(a_i, a_j, f, shift, first * g1 + second * g2);
-  const double det_sum =
-      curvature_radii_sum(a_i, a_j, g, TangentFrame(g.normal)).determinant();
+  const SymmetricMatrix3 a_i = p.matrix(C::axx_i), a_j = p.matrix(C::axx_j);
+  const OverlapFunction f(a_i, a_j, p.distance(), p.normal());
+  const OverlapHessian h(curvature_radii_sum(a_i, a_j, f), f.value);
+  const double inverse = 1.0 / h.determinant;
+  const Vector3 shift = h.newton_shift(f, inverse);
+  const double slope = dot(f.gradient, shift), squared = dot(shift, shift);
+  const double error = h.trace * h.trace * inverse * f.radius_change_rate() * squared;
 
   // bitwise &, |: no branches
-  const bool convex = (determinant > tolerance::convexity * trace * trace) & (trace > 0.0);
+  const bool convex =
+      (h.determinant > tolerance::convexity * h.trace * h.trace) & (h.trace > 0.0);
   const bool exact =
       (error <= tolerance::batch_normal_error) &
       (squared <= tolerance::batch_extrapolated_step * tolerance::batch_extrapolated_step);
-  const bool apart = (f.value < 0.0) | ((g.value < 0.0) & exact);
-  const bool solved = (convex & exact & (g.value <= in(C::safe_overlap))) | apart;
+  const double next_value = f.value + 0.5 * slope;
+  const bool apart_here = f.value < 0.0;
+  const bool solved = (convex & exact & (next_value <= p.c.in[C::safe_overlap][p.k])) |
+                      (exact & (next_value < 0.0)) | apart_here;
 
-  const bool active = c.out[C::open][k] != 0.0;
-  const auto put = [&c, k, active](int column, double value) {
-    c.out[column][k] = active ? value : c.out[column][k];
-  };
-  const Vector3 point = 0.5 * (g.support_point_i + distance - g.support_point_j);
-  const double r_i = std::sqrt(in(C::product_i)) / (g.support_i * g.support_i);
-  const double r_j = std::sqrt(in(C::product_j)) / (g.support_j * g.support_j);
-  put(C::nx, g.normal.x);
-  put(C::ny, g.normal.y);
-  put(C::nz, g.normal.z);
-  put(C::px, point.x);
-  put(C::py, point.y);
-  put(C::pz, point.z);
-  put(C::overlap, f.value < 0.0 ? f.value : g.value);
-  put(C::reduced_radius, r_i * r_j / std::sqrt(det_sum));
-  put(C::radius_i, r_i);
-  put(C::radius_j, r_j);
-  put(C::steps, c.out[C::steps][k] + 1.0);
-  put(C::open, solved ? 0.0 : 1.0);
+  const double share = apart_here ? 0.0 : 1.0; // this normal is the proof
+  p.put_block(Block::shift_x, share * shift);
+  p.put_block(Block::slope, share * slope);
+  p.put_block(Block::phi, f.value);
+  p.put_block(Block::ix, f.support_point_i);
+  p.put_block(Block::jx, f.support_point_j);
+  p.put_block(Block::inverse_i, f.inverse_support_i);
+  p.put_block(Block::inverse_j, f.inverse_support_j);
+  p.put(C::steps, p.c.out[C::steps][p.k] + (p.open() ? 1.0 : 0.0));
+  p.put(C::open, p.open() & !solved ? 1.0 : 0.0);
+}
+
+/// To the next normal of a pair that is not solved.
+inline void turn_normal(const PairColumns& p) {
+  using C = Columns;
+  const Vector3 normal = p.normal(), next = normalized(normal + p.block_vector(Block::shift_x));
+  p.put(C::nx, p.open() ? next.x : normal.x);
+  p.put(C::ny, p.open() ? next.y : normal.y);
+  p.put(C::nz, p.open() ? next.z : normal.z);
+}
+
+/// The contact of a solved pair, at the end of its last shift.
+inline void finish_pair(const PairColumns& p) {
+  using C = Columns;
+  const SymmetricMatrix3 a_i = p.matrix(C::axx_i), a_j = p.matrix(C::axx_j);
+  OverlapFunction f;
+  f.normal = p.normal();
+  f.support_point_i = p.block_vector(Block::ix);
+  f.support_point_j = p.block_vector(Block::jx);
+  f.inverse_support_i = p.b.of[Block::inverse_i][p.m];
+  f.inverse_support_j = p.b.of[Block::inverse_j][p.m];
+  f.value = p.b.of[Block::phi][p.m];
+  const OverlapFunction g = extrapolated(a_i, a_j, f, p.block_vector(Block::shift_x),
+                                         p.b.of[Block::slope][p.m]);
+  const double det_sum = tangent_determinant(curvature_radii_sum(a_i, a_j, g));
+  const Vector3 point = 0.5 * (g.support_point_i + p.distance() - g.support_point_j);
+  const double r_i = p.c.in[C::product_i][p.k] * g.inverse_support_i * g.inverse_support_i;
+  const double r_j = p.c.in[C::product_j][p.k] * g.inverse_support_j * g.inverse_support_j;
+  p.put(C::nx, g.normal.x);
+  p.put(C::ny, g.normal.y);
+  p.put(C::nz, g.normal.z);
+  p.put(C::px, point.x);
+  p.put(C::py, point.y);
+  p.put(C::pz, point.z);
+  p.put(C::overlap, g.value);
+  p.put(C::reduced_radius, r_i * r_j / std::sqrt(det_sum));
+  p.put(C::radius_i, r_i);
+  p.put(C::radius_j, r_j);
 }
 
 inline void solve_block(Columns& c, int begin) {
-  for (int step = 0; step < step_limit; ++step) {
+  Block b;
+  for (int step = 0;; ++step) {
 #pragma GCC ivdep
+    for (int m = 0; m < block; ++m)
+      newton_step({c, b, begin + m, m});
+    int open = 0;
     for (int k = begin; k < begin + block; ++k)
-      newton_step(c, k);
-    double open = 0.0;
-    for (int k = begin; k < begin + block; ++k)
-      open += c.out[Columns::open][k];
-    if (open == 0.0)
-      return;
+      open |= static_cast<int>(c.out[Columns::open][k] != 0.0);
+    if (open == 0 || step + 1 == step_limit)
+      break;
+#pragma GCC ivdep
+    for (int m = 0; m < block; ++m)
+      turn_normal({c, b, begin + m, m});
   }
+#pragma GCC ivdep
+  for (int m = 0; m < block; ++m)
+    finish_pair({c, b, begin + m, m});
 }
 
 inline void search_loop(Columns& c, int size) {

@@ -84,8 +84,8 @@ inline void ContactBatch::add(const EllipsoidShape& i, const EllipsoidShape& j,
   put_matrix(C::axx_i, i.a_matrix);
   put_matrix(C::axx_j, j.a_matrix);
   put_vector(C::dx, centre_distance);
-  put(C::product_i, i.squared_axes_product);
-  put(C::product_j, j.squared_axes_product);
+  put(C::product_i, i.axes_product);
+  put(C::product_j, j.axes_product);
   put(C::safe_overlap, i.smallest_curvature_radius + j.smallest_curvature_radius);
   put_vector(C::start_x, start);
   columns_.out[C::nx][k] = start.x;

@@ -11,6 +11,13 @@ namespace ellipsoid {
 
 namespace {
 
+/// Symmetric 2x2 matrix in a tangent plane.
+struct TangentMatrix {
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+  double trace() const { return xx + yy; }
+  double determinant() const { return xx * yy - xy * xy; }
+};
+
 /// Curvatures W^-1 of one body at the surface point with this normal, in the tangent frame.
 TangentMatrix curvatures(const EllipsoidShape& shape, const Vector3& normal,
                          const TangentFrame& t) {
@@ -21,7 +28,7 @@ TangentMatrix curvatures(const EllipsoidShape& shape, const Vector3& normal,
   const TangentMatrix w{(dot(t.first, a_first) - p1 * p1) / s,
                         (dot(t.first, a_second) - p1 * p2) / s,
                         (dot(t.second, a_second) - p2 * p2) / s};
-  const double inverse = s * s * s * s / shape.squared_axes_product; // 1 / det W
+  const double root = s * s / shape.axes_product, inverse = root * root; // 1 / det W
   return {inverse * w.yy, -inverse * w.xy, inverse * w.xx};
 }
 
@@ -34,17 +41,17 @@ RelativeCurvature principal(const TangentMatrix& c) {
 
 /// A step in the tangent plane.
 struct TangentStep {
-  double first = 0.0, second = 0.0;
+  Vector3 shift;               // of the normal (rad)
+  double length = 0.0;         // of the shift (rad)
   double slope = 0.0;          // derivative of phi along the step (length)
   double predicted_error = 0.; // of the normal after the step, if the step is a Newton step (rad)
   bool newton = false;         // the Hessian was positive definite and the step not shortened
-  double length() const { return std::sqrt(first * first + second * second); }
 };
 
 /// Shift that makes the Hessian safely positive definite, 0 where it already is.
-double convexity_shift(const TangentMatrix& h) {
-  const double mean = 0.5 * h.trace();
-  const double radius = std::sqrt(0.25 * (h.xx - h.yy) * (h.xx - h.yy) + h.xy * h.xy);
+double convexity_shift(const OverlapHessian& h) {
+  const double mean = 0.5 * h.trace;
+  const double radius = std::sqrt(std::max(0.0, mean * mean - h.determinant));
   const double smallest = mean - radius, scale = std::fabs(mean) + radius;
   if (smallest > tolerance::convexity * scale)
     return 0.0;
@@ -52,37 +59,31 @@ double convexity_shift(const TangentMatrix& h) {
 }
 
 /// Newton step of phi on the sphere; a shifted (still descending) one where phi is not convex.
-TangentStep newton_step(const OverlapFunction& f, const TangentFrame& t,
-                        const TangentMatrix& radii) {
-  TangentMatrix h{radii.xx - f.value, radii.xy, radii.yy - f.value};
-  const double shift = convexity_shift(h);
-  h.xx += shift;
-  h.yy += shift;
-  const double g1 = dot(t.first, f.gradient), g2 = dot(t.second, f.gradient);
-  const double inverse = 1.0 / h.determinant();
+TangentStep newton_step(const OverlapFunction& f, const SymmetricMatrix3& radii) {
+  const double shift = convexity_shift(OverlapHessian(radii, f.value));
+  const OverlapHessian h(radii, f.value - shift);
+  const double inverse = 1.0 / h.determinant;
   TangentStep step;
-  step.first = -inverse * (h.yy * g1 - h.xy * g2);
-  step.second = -inverse * (h.xx * g2 - h.xy * g1);
-  const double length = step.length();
-  step.newton = shift == 0.0 && length <= tolerance::largest_step;
-  if (length > tolerance::largest_step) {
-    step.first *= tolerance::largest_step / length;
-    step.second *= tolerance::largest_step / length;
+  step.shift = h.newton_shift(f, inverse);
+  step.length = norm(step.shift);
+  step.newton = shift == 0.0 && step.length <= tolerance::largest_step;
+  if (step.length > tolerance::largest_step) {
+    step.shift *= tolerance::largest_step / step.length;
+    step.length = tolerance::largest_step;
   }
-  step.slope = g1 * step.first + g2 * step.second;
-  const double condition = h.trace() * h.trace() * inverse;
-  step.predicted_error = condition * f.radius_change_rate() * length * length;
+  step.slope = dot(f.gradient, step.shift);
+  step.predicted_error =
+      h.trace * h.trace * inverse * f.radius_change_rate() * step.length * step.length;
   return step;
 }
 
 /// Walks along the step, halving it until phi falls enough. Returns false at a dead end
 /// (then rounding hides any decrease: f is as good as it gets).
 bool line_search(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& centre_distance,
-                 const TangentFrame& t, const TangentStep& step, OverlapFunction& f) {
+                 const TangentStep& step, OverlapFunction& f) {
   double share = 1.0;
   for (int halving = 0; halving < tolerance::halving_limit; ++halving, share *= 0.5) {
-    const Vector3 n = normalized(f.normal + (share * step.first) * t.first +
-                                 (share * step.second) * t.second);
+    const Vector3 n = normalized(f.normal + share * step.shift);
     const OverlapFunction trial(i.a_matrix, j.a_matrix, centre_distance, n);
     if (trial.value <=
         f.value + tolerance::sufficient_decrease * share * step.slope + f.noise()) {
@@ -103,10 +104,9 @@ ContactGeometry assemble(const EllipsoidShape& i, const EllipsoidShape& j,
   c.overlap = f.value;
   c.iterations = iterations;
   c.point = 0.5 * (f.support_point_i + centre_distance - f.support_point_j);
-  // det W = a^2 b^2 c^2 / s^4: the inverse of the Gaussian curvature
-  const double s2_i = f.support_i * f.support_i, s2_j = f.support_j * f.support_j;
-  c.curvature_radius_i = std::sqrt(i.squared_axes_product) / s2_i;
-  c.curvature_radius_j = std::sqrt(j.squared_axes_product) / s2_j;
+  // sqrt(det W) = a b c / s^2: the inverse of the Gaussian curvature's root
+  c.curvature_radius_i = i.axes_product * f.inverse_support_i * f.inverse_support_i;
+  c.curvature_radius_j = j.axes_product * f.inverse_support_j * f.inverse_support_j;
   // Markauskas et al. 2010, eq. 19: 1 / (2 sqrt(A B)), with 4 A B = det(W_i^-1 + W_j^-1)
   c.reduced_radius = c.curvature_radius_i * c.curvature_radius_j / std::sqrt(det_sum);
   return c;
@@ -117,24 +117,19 @@ ContactGeometry descend(const Vector3& start, const EllipsoidShape& i, const Ell
                         const Vector3& centre_distance, const SearchOptions& options) {
   OverlapFunction f(i.a_matrix, j.a_matrix, centre_distance, start);
   const auto finish = [&](const OverlapFunction& at, ContactStatus otherwise, int iterations) {
-    const TangentFrame t(at.normal);
     return assemble(i, j, centre_distance, at,
-                    curvature_radii_sum(i.a_matrix, j.a_matrix, at, t).determinant(),
+                    tangent_determinant(curvature_radii_sum(i.a_matrix, j.a_matrix, at)),
                     at.value < 0.0 ? ContactStatus::separated : otherwise, iterations);
   };
   for (int iteration = 0; iteration < options.newton_limit; ++iteration) {
     if (options.goal == SearchGoal::contact && f.value < 0.0)
       return finish(f, ContactStatus::separated, iteration);
-    const TangentFrame t(f.normal);
-    const TangentStep step =
-        newton_step(f, t, curvature_radii_sum(i.a_matrix, j.a_matrix, f, t));
+    const TangentStep step = newton_step(f, curvature_radii_sum(i.a_matrix, j.a_matrix, f));
     const bool last = step.newton && step.predicted_error <= tolerance::normal_error;
-    if (last && step.length() <= tolerance::extrapolated_step) {
-      const Vector3 shift = step.first * t.first + step.second * t.second;
-      return finish(extrapolated(i.a_matrix, j.a_matrix, f, shift, step.slope),
+    if (last && step.length <= tolerance::extrapolated_step)
+      return finish(extrapolated(i.a_matrix, j.a_matrix, f, step.shift, step.slope),
                     ContactStatus::touching, iteration + 1);
-    }
-    const bool moved = line_search(i, j, centre_distance, t, step, f);
+    const bool moved = line_search(i, j, centre_distance, step, f);
     if (last || !moved)
       return finish(f, ContactStatus::touching, iteration + 1);
   }
@@ -264,7 +259,7 @@ ContactGeometry find_plane_contact(const EllipsoidShape& i, const Vector3& plane
   c.overlap = s - dot(plane_normal, plane_point);
   c.status = c.overlap < 0.0 ? ContactStatus::separated : ContactStatus::touching;
   c.point = (1.0 / s) * a_n - (0.5 * c.overlap) * plane_normal;
-  c.curvature_radius_i = std::sqrt(i.squared_axes_product) / (s * s);
+  c.curvature_radius_i = i.axes_product / (s * s);
   c.curvature_radius_j = std::numeric_limits<double>::infinity();
   c.reduced_radius = c.curvature_radius_i; // (19) with a flat partner
   return c;

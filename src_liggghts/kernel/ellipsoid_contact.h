@@ -29,7 +29,7 @@ namespace ellipsoid {
 /// An ellipsoid about the origin of its own frame, ready for contact evaluation.
 struct EllipsoidShape {
   SymmetricMatrix3 a_matrix;             ///< A = R diag(a^2, b^2, c^2) R^T (length^2)
-  double squared_axes_product = 0.0;     ///< a^2 b^2 c^2 (length^6)
+  double axes_product = 0.0;             ///< a b c (length^3)
   double smallest_curvature_radius = 0.; ///< min(a,b,c)^2 / max(a,b,c) (length)
 };
 
@@ -40,7 +40,7 @@ inline EllipsoidShape make_shape(const Vector3& semiaxes, const Quaternion& orie
                cc = semiaxes.z * semiaxes.z;
   EllipsoidShape shape;
   shape.a_matrix = rotated_diagonal(rotation(orientation), aa, bb, cc);
-  shape.squared_axes_product = aa * bb * cc;
+  shape.axes_product = semiaxes.x * semiaxes.y * semiaxes.z;
   shape.smallest_curvature_radius =
       std::min({aa, bb, cc}) / std::max({semiaxes.x, semiaxes.y, semiaxes.z});
   return shape;

@@ -129,7 +129,7 @@ double sag(const EllipsoidShape& shape, const Vector3& normal, const Vector3& of
     const SymmetricMatrix3 adjugate{m.yy * m.zz - m.yz * m.yz, m.xx * m.zz - m.xz * m.xz,
                                     m.xx * m.yy - m.xy * m.xy, m.xz * m.yz - m.xy * m.zz,
                                     m.xy * m.yz - m.xz * m.yy, m.xy * m.xz - m.yz * m.xx};
-    return dot(x, adjugate * x) > shape.squared_axes_product;
+    return dot(x, adjugate * x) > shape.axes_product * shape.axes_product;
   };
   double low = 0.0, high = support(shape, normal);
   for (int k = 0; k < 100; ++k) {
