@@ -186,7 +186,7 @@ class CellGrid {
   std::vector<std::size_t> m_starts;      ///< of each cell in m_placed
   // sorted cells
   std::vector<Ball> m_balls;
-  std::vector<Columns> m_columns; ///< of the cells that are not empty
+  std::vector<Columns> m_columns;   ///< of the cells that are not empty
   std::vector<std::size_t> m_found; ///< neighbours of a ball
 };
 

@@ -215,8 +215,8 @@ class PairFinder {
       const Vector3 distance = s.centre - m_bodies.centres[smooth];
       const EllipsoidShape ball = enlarged_ball(s, m_gap);
       if (!first_look(m_bodies.smooth[smooth], ball, distance, 0.5).are_apart)
-        add_contact(find_contact(m_bodies.smooth[smooth], ball, distance),
-                    m_bodies.centres[smooth], sign);
+        add_contact(find_contact(m_bodies.smooth[smooth], ball, distance), m_bodies.centres[smooth],
+                    sign);
     }
   }
 

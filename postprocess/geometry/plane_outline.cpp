@@ -32,12 +32,6 @@ double PlaneEllipse::area_under_upper(double x0, double x1) const {
                vy * (half_disc(c1) - half_disc(c0)));
 }
 
-double PlaneEllipse::green(double t0, double t1) const {
-  if (t0 == 0.0 && t1 == 2.0 * pi)
-    return area();
-  return 0.5 * (ux * vy * (t1 - t0) + cross(centre, at(t1) - at(t0)));
-}
-
 double PlaneEllipse::area() const { return pi * ux * vy; }
 
 double PlaneEllipse::top() const { return centre.y() + std::sqrt(uy * uy + vy * vy); }

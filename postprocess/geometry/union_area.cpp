@@ -2,15 +2,15 @@
 #include "union_area.h"
 
 #include "cell_grid.h"
-#include "outline_crossings.h"
+#include "lens_batch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace ellipsoid::post {
 namespace {
-
-constexpr double two_pi = 2.0 * 3.141592653589793238462643;
 
 /// Edge of the region from `begin` to `end`; outside is where outward . p > offset.
 struct Edge {
@@ -31,22 +31,21 @@ std::vector<Edge> edges_of(const ConvexPolygon& region) {
   return edges;
 }
 
-/// Visits the parts of [0, whole] that the intervals leave free (they are joined on the way).
-template <class Visitor>
-void for_uncovered(std::vector<ArcInterval>& covered, double whole, const Visitor& visit) {
-  join(covered);
-  double begin = 0.0;
-  for (const ArcInterval& arc : covered) {
-    if (arc.begin > begin)
-      visit(begin, arc.begin);
-    begin = std::max(begin, arc.end);
-  }
-  if (whole > begin)
-    visit(begin, whole);
+/// Area of an outline that is left when the shares of hidden arcs are taken away (they are joined
+/// on the way).
+double free_share(const PlaneEllipse& shape, std::vector<ArcInterval>& hidden) {
+  join(hidden);
+  double share = shape.area();
+  for (const ArcInterval& arc : hidden)
+    share -= green(shape, arc);
+  return share;
 }
 
+/// Part of an edge: from begin + s (end - begin) at the one s to the other.
+using EdgeInterval = Interval<double>;
+
 /// Share of the segment begin + s (end - begin), 0 <= s <= 1, inside an outline.
-bool chord(const PlaneEllipse& shape, const Edge& edge, ArcInterval& inside) {
+bool chord(const PlaneEllipse& shape, const Edge& edge, EdgeInterval& inside) {
   const auto to_unit = [&shape](const Point& p) {
     const double cosine = p.x() / shape.ux;
     return Point(cosine, (p.y() - shape.uy * cosine) / shape.vy);
@@ -66,13 +65,13 @@ bool chord(const PlaneEllipse& shape, const Edge& edge, ArcInterval& inside) {
 /// Part of an edge inside an outline.
 struct EdgePart {
   std::size_t owner = 0;
-  ArcInterval inside;
+  EdgeInterval inside;
 };
 
 /// Share of one edge in the area: of all outlines together, and summed owner by owner.
 void add_edge(const Edge& edge, const std::vector<PlaneEllipse>& outlines, UnionMeasures& sums) {
   std::vector<EdgePart> parts;
-  std::vector<ArcInterval> all;
+  std::vector<EdgeInterval> all;
   EdgePart part;
   for (const PlaneEllipse& shape : outlines)
     if (chord(shape, edge, part.inside)) {
@@ -81,10 +80,10 @@ void add_edge(const Edge& edge, const std::vector<PlaneEllipse>& outlines, Union
       all.push_back(part.inside);
     }
   const double whole = 0.5 * cross(edge.begin, edge.end);
-  const auto joined_length = [](std::vector<ArcInterval>& intervals) {
+  const auto joined_length = [](std::vector<EdgeInterval>& intervals) {
     join(intervals);
     double length = 0.0;
-    for (const ArcInterval& interval : intervals)
+    for (const EdgeInterval& interval : intervals)
       length += interval.end - interval.begin;
     return length;
   };
@@ -92,7 +91,7 @@ void add_edge(const Edge& edge, const std::vector<PlaneEllipse>& outlines, Union
   std::stable_sort(parts.begin(), parts.end(),
                    [](const EdgePart& p, const EdgePart& q) { return p.owner < q.owner; });
   for (std::size_t k = 0; k < parts.size();) {
-    std::vector<ArcInterval> own;
+    std::vector<EdgeInterval> own;
     const std::size_t owner = parts[k].owner;
     for (; k < parts.size() && parts[k].owner == owner; ++k)
       own.push_back(parts[k].inside);
@@ -136,10 +135,19 @@ class HiddenArcs {
     ArcInterval arc;
   };
 
+  /// An arc over the end of the turn becomes two.
+  void add(std::size_t outline, bool is_own, const ArcInterval& arc) {
+    if (!(arc.end < arc.begin)) {
+      m_found.push_back({outline, is_own, arc});
+      return;
+    }
+    m_found.push_back({outline, is_own, {arc.begin, turn_end}});
+    m_found.push_back({outline, is_own, {turn_begin, arc.end}});
+  }
   /// Moves arcs to the list of those found.
   void add(std::size_t outline, bool is_own, std::vector<ArcInterval>& arcs) {
     for (const ArcInterval& arc : arcs)
-      m_found.push_back({outline, is_own, arc});
+      add(outline, is_own, arc);
     arcs.clear();
   }
 
@@ -151,21 +159,43 @@ class HiddenArcs {
       radii.push_back(shape.bounding_radius());
     }
     CellGrid grid(centres, radii);
-    std::vector<ArcInterval> of_i, of_j;
+    std::vector<ArcInterval> of_i;
     for (std::size_t i = 0; i < outlines.size(); ++i) {
       for (const Edge& edge : edges)
         if (edge.outward.dot(outlines[i].centre) + radii[i] > edge.offset)
           append_beyond_line(outlines[i], edge.outward, edge.offset, of_i);
       add(i, true, of_i);
       grid.for_later_neighbours(i, [&](std::size_t j) {
-        append_covered(outlines[i], outlines[j], of_i, of_j);
-        const bool is_own = outlines[i].owner == outlines[j].owner;
-        add(i, is_own, of_i);
-        add(j, is_own, of_j);
+        m_waiting[static_cast<std::size_t>(m_batch.size())] = {i, j};
+        m_batch.add(outlines[i], outlines[j]);
+        if (m_batch.full())
+          look_at_waiting(outlines);
       });
     }
+    look_at_waiting(outlines);
   }
 
+  void look_at_waiting(const std::vector<PlaneEllipse>& outlines) {
+    std::vector<ArcInterval> of_i, of_j;
+    m_batch.solve();
+    for (int k = 0; k < m_batch.size(); ++k) {
+      const auto [i, j] = m_waiting[static_cast<std::size_t>(k)];
+      const bool is_own = outlines[i].owner == outlines[j].owner;
+      const LensBatch::Verdict verdict = m_batch.verdict(k);
+      if (verdict == LensBatch::Verdict::lens) {
+        add(i, is_own, m_batch.of_i(k));
+        add(j, is_own, m_batch.of_j(k));
+      } else if (verdict == LensBatch::Verdict::unknown) {
+        append_covered(outlines[i], outlines[j], of_i, of_j);
+        add(i, is_own, of_i);
+        add(j, is_own, of_j);
+      }
+    }
+    m_batch.clear();
+  }
+
+  LensBatch m_batch;
+  std::array<std::pair<std::size_t, std::size_t>, LensBatch::capacity> m_waiting;
   std::vector<Hidden> m_found, m_ordered;
   std::vector<std::size_t> m_first; ///< of each outline in m_ordered
 };
@@ -181,11 +211,9 @@ UnionMeasures union_in_region(const std::vector<PlaneEllipse>& outlines,
   const HiddenArcs hidden(outlines, edges);
   std::vector<ArcInterval> own, all;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
-    const PlaneEllipse& shape = outlines[i];
     hidden.of_outline(i, own, all);
-    for_uncovered(own, two_pi,
-                  [&](double t0, double t1) { result.area_sum += shape.green(t0, t1); });
-    for_uncovered(all, two_pi, [&](double t0, double t1) { result.area += shape.green(t0, t1); });
+    result.area_sum += free_share(outlines[i], own);
+    result.area += free_share(outlines[i], all);
   }
   for (const Edge& edge : edges)
     add_edge(edge, outlines, result);
