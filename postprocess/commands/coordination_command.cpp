@@ -14,7 +14,7 @@ struct CoordinationCommandOptions : PileCommandOptions {
 
 Row coordination_row(const CoordinationCommandOptions& options, const ChosenFrame& chosen) {
   const PileOptions settings = plane_settings(options.plane);
-  const Pile pile = find_pile(chosen.set, settings);
+  const PileBody pile = find_pile_body(chosen.set, settings);
   const CoordinationOptions counting = coordination_settings(options, settings, pile.mean_b);
   const bool is_listed = !options.contacts.files.empty();
   if (!is_listed)

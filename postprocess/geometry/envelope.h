@@ -20,8 +20,6 @@ class UpperEnvelope {
   double area(double x0, double x1) const;
   /// Largest ordinate, and its abscissa (length).
   Point summit() const { return m_summit; }
-  double left() const { return m_pieces.empty() ? 0.0 : m_pieces.front().begin; }
-  double right() const { return m_pieces.empty() ? 0.0 : m_pieces.back().end; }
   /// Particles that own a part of the surface, ascending.
   std::vector<std::size_t> owners() const;
 
