@@ -22,7 +22,7 @@ Row coordination_row(const CoordinationCommandOptions& options, const ChosenFram
   const ContactNetwork network =
       is_listed ? listed_contacts(contact_list_at(options.contacts, chosen.frame.timestep),
                                   options.contacts.columns, chosen.set)
-                : find_contacts(chosen.set, counting.gap);
+                : find_contacts(chosen.set, counting.gap, pile.near);
   const Coordination z = coordination(chosen.set, pile.members, network, counting);
   Row row = frame_row(chosen);
   append_pile(row, chosen.set, pile, settings);

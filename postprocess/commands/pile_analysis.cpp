@@ -118,7 +118,9 @@ PileResult analyse_pile(const PileCommandOptions& options, const ChosenFrame& ch
   append_porosity(result.row,
                   plane_porosity(pile, settings, porosity_settings(options), result.flanks));
   const CoordinationOptions contacts = coordination_settings(options, settings, pile.mean_b);
-  append_coordination(result.row, coordination(chosen.set, pile.members, contacts), pile.mean_b);
+  const ContactNetwork network = find_contacts(chosen.set, contacts.gap, pile.near);
+  append_coordination(result.row, coordination(chosen.set, pile.members, network, contacts),
+                      pile.mean_b);
   append_rest(result.row, check_rest(chosen.set, pile.members, options.gravity));
   return result;
 }

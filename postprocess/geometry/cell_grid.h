@@ -37,7 +37,8 @@ class CellGrid {
     const Vector3 centre = m_centres[i];
     const double radius = m_radii[i];
     std::size_t found = 0;
-    for (std::size_t k = 0; k < column_count; ++k) {
+    // of cells that are one thick along z only the columns in the middle have balls
+    for (std::size_t k = m_is_flat ? 1 : 0; k < column_count; k += m_is_flat ? 3 : 1) {
       const auto [begin, end] = column(m_cell_of_ball[i], k);
       m_found.resize(std::max(m_found.size(), found + (end - begin) + 1));
       for (std::size_t place = begin; place < end; ++place) {
@@ -96,6 +97,7 @@ class CellGrid {
       return static_cast<std::size_t>(to - from + 3);
     };
     const std::size_t most = 1000 + 20 * cells.size();
+    m_is_flat = lower.z == upper.z;
     m_step_z = along(lower.y, upper.y);
     m_step_x = m_step_z * along(lower.z, upper.z); // at most 4e12: no overflow
     if (m_step_x > most || m_step_x * along(lower.x, upper.x) > most)
@@ -182,6 +184,7 @@ class CellGrid {
   std::vector<Placed> m_placed;            ///< balls, cell by cell
   std::vector<std::size_t> m_cell_of_ball; ///< number of its cell, or index into m_columns
   // numbered cells
+  bool m_is_flat = false;                 ///< one cell along z
   std::size_t m_step_x = 0, m_step_z = 0; ///< from a cell to the next one along x, z
   std::vector<std::size_t> m_starts;      ///< of each cell in m_placed
   // sorted cells

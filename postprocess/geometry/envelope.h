@@ -16,6 +16,8 @@ class UpperEnvelope {
 
   /// y_max(x) (length).
   double height(double x) const;
+  /// The same at many abscissas, ascending.
+  std::vector<double> heights(const std::vector<double>& abscissas) const;
   /// Area between floor and envelope from x0 to x1, closed form arc by arc (length^2).
   double area(double x0, double x1) const;
   /// Largest ordinate, and its abscissa (length).
@@ -30,6 +32,7 @@ class UpperEnvelope {
   };
   static constexpr std::size_t no_arc = static_cast<std::size_t>(-1);
 
+  class CrossingPoints;
   class SurfaceBound;
 
   void keep_surface_arcs(const std::vector<PlaneEllipse>& outlines);

@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "lens_batch.h"
 
+#include "vector_columns.h"
 #include "vector_versions.h"
 
 #include <algorithm>
@@ -169,13 +170,6 @@ ELLIPSOID_VECTOR_VERSIONS(look, Columns)
 
 } // namespace
 
-void LensBatch::solve() {
-  constexpr int widest_vector = 8;
-  int size = m_size;
-  for (; size % widest_vector != 0; ++size) // filled up with the last pair
-    for (auto& column : m_columns.in)
-      column[size] = column[m_size - 1];
-  look(m_columns, size);
-}
+void LensBatch::solve() { look(m_columns, filled_up(m_columns.in, m_size)); }
 
 } // namespace ellipsoid::post

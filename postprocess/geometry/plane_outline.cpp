@@ -21,6 +21,12 @@ double PlaneEllipse::upper(double x) const {
   return centre.y() + uy * cosine + vy * std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
 }
 
+void PlaneEllipse::upper(const double* x, std::size_t count, double* y) const {
+  const PlaneEllipse own = *this; // y might be a part of this for all the compiler knows
+  for (std::size_t k = 0; k < count; ++k)
+    y[k] = own.upper(x[k]);
+}
+
 double PlaneEllipse::area_under_upper(double x0, double x1) const {
   const double c0 = std::clamp((x0 - centre.x()) / ux, -1.0, 1.0);
   const double c1 = std::clamp((x1 - centre.x()) / ux, -1.0, 1.0);

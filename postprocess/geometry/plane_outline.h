@@ -26,6 +26,8 @@ struct PlaneEllipse {
   Point at(double t) const;
   /// Ordinate of the upper arc at abscissa x; x within centre.x +- ux.
   double upper(double x) const;
+  /// The same at `count` abscissas.
+  void upper(const double* x, std::size_t count, double* y) const;
   /// Integral of the upper arc's ordinate from x0 to x1, closed form (length^2).
   double area_under_upper(double x0, double x1) const;
   double area() const; ///< pi ux vy (length^2)

@@ -19,9 +19,9 @@ double mean_z(const ParticleSet& set) {
 } // namespace
 
 std::vector<std::size_t> pile_members(const ParticleSet& set, const PileOptions& options,
-                                      double gap) {
+                                      const NearPairs& near) {
   const std::size_t count = set.particles.size();
-  const std::vector<std::size_t> clusters = touching_clusters(set, gap);
+  const std::vector<std::size_t> clusters = touching_clusters(set, near);
   std::vector<std::size_t> size(count, 0);
   std::vector<char> touches_wall(count, 0);
   bool any_touches = false;
@@ -30,7 +30,7 @@ std::vector<std::size_t> pile_members(const ParticleSet& set, const PileOptions&
     ++size[root];
     if (options.wall && !touches_wall[root]) {
       const PlaneWall wall{{*options.wall, 0.0, 0.0}, {1.0, 0.0, 0.0}};
-      if (!wall_overlaps(set, i, wall, gap).empty())
+      if (!wall_overlaps(set, i, wall, near.gap()).empty())
         touches_wall[root] = any_touches = true;
     }
   }
@@ -73,8 +73,9 @@ PileBody find_pile_body(const ParticleSet& set, const PileOptions& options) {
   const double section = options.section.value_or(mean_z(set));
   const double gap = options.cluster_gap * mean_smallest_axis(set, all_members(set));
   PileBody pile;
+  pile.near = NearPairs(set, gap);
   pile.section = section;
-  pile.members = pile_members(set, options, gap);
+  pile.members = pile_members(set, options, pile.near);
   pile.strays = set.particles.size() - pile.members.size();
   pile.mean_a = mean_largest_axis(set, pile.members);
   pile.mean_b = mean_smallest_axis(set, pile.members);

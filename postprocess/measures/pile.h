@@ -32,6 +32,7 @@ struct PileOptions {
 struct PileBody {
   std::vector<std::size_t> members;   ///< indices of the set, ascending
   std::size_t strays = 0;             ///< particles that do not belong to it
+  NearPairs near;                     ///< of all particles, that were looked at for the members
   double section = 0.0;               ///< z of the plane (length)
   double out_of_plane = 0.0;          ///< largest |z - section| of a member (length)
   std::vector<PlaneEllipse> outlines; ///< of the members
@@ -46,9 +47,9 @@ struct Pile : PileBody {
 };
 
 /// Indices of the particles that belong to the pile, ascending.
-/// @param[in] gap particles this close belong together (length)
+/// @param[in] near its gap: particles this close belong together
 std::vector<std::size_t> pile_members(const ParticleSet& set, const PileOptions& options,
-                                      double gap);
+                                      const NearPairs& near);
 
 /// The pile: the connected cluster of particles that touches the wall (the largest if several
 /// do; without a wall the largest cluster of all) and its outlines.

@@ -388,7 +388,7 @@ TEST(Contacts, clusters_are_those_of_the_contacts) {
     DisjointSets expected(set.particles.size());
     for (const PairContact& pair : find_contacts(set, gap).pairs)
       expected.join(pair.i, pair.j);
-    const std::vector<std::size_t> clusters = touching_clusters(set, gap);
+    const std::vector<std::size_t> clusters = touching_clusters(set, NearPairs(set, gap));
     std::set<std::size_t> different;
     for (std::size_t i = 0; i < clusters.size(); ++i) {
       EXPECT_EQ(clusters[i], expected.root(i)) << "seed " << seed;
