@@ -21,16 +21,16 @@ constexpr double largest_error = 1.0e-17;
 /// Lenses with less than this half width (rad) are left to the search of single pairs.
 constexpr double smallest_half_width = 1.0e-4;
 
-constexpr int newton_steps = 6, root_steps = 3;
+constexpr int newton_steps = 4, root_steps = 2;
 
 struct Direction {
   double cosine, sine;
 };
 
-/// Turned by 2 atan(angle / 2): by the angle itself up to its third power.
-inline Direction turned(const Direction& d, double angle) {
-  const double h = 0.5 * angle, scale = 1.0 / (1.0 + h * h);
-  const double c = (1.0 - h * h) * scale, s = 2.0 * h * scale;
+/// Turned by 2 atan(a / 2) with a = over / under: by a itself up to its third power.
+inline Direction turned(const Direction& d, double over, double under) {
+  const double square = over * over, four = 4.0 * under * under, scale = 1.0 / (four + square);
+  const double c = (four - square) * scale, s = 4.0 * over * under * scale;
   return {d.cosine * c - d.sine * s, d.sine * c + d.cosine * s};
 }
 
@@ -88,11 +88,11 @@ inline FoundRoot root_from(const Level& f, Direction d, double side, double boun
     const auto jet = f.at(d);
     const double squared = jet.slope * jet.slope - 2.0 * jet.value * jet.curvature;
     const double steepness = std::sqrt(std::max(0.0, squared));
-    const double change = -2.0 * jet.value / (jet.slope + side * steepness);
-    const double size = std::abs(change);
+    const double over = -2.0 * jet.value, under = jet.slope + side * steepness;
+    const double share = std::abs(over), whole = std::abs(under);
     is_exact = (squared > 0.0) & (side * jet.slope > 0.0) &
-               (bound * size * size * size <= largest_error * steepness);
-    d = turned(d, change);
+               (bound * share * share * share <= largest_error * steepness * whole * whole * whole);
+    d = turned(d, over, under);
   }
   return {d, is_exact};
 }
@@ -130,20 +130,24 @@ inline void look_at_pair(Columns& columns, int k) {
   for (int step = 0; step < newton_steps; ++step) {
     const auto jet = f.at(m);
     const double steepest = jet.curvature > 0.1 * bound ? jet.curvature : bound;
-    m = turned(m, -jet.slope / steepest);
+    m = turned(m, -jet.slope, steepest);
   }
   const auto lowest = f.at(m);
   const bool is_apart = (lowest.value > std::abs(lowest.slope) + level_margin * size) &
                         (f.proof(m, 1.0) > proof_margin * size);
 
-  const double half = std::sqrt(std::max(0.0, -2.0 * lowest.value / lowest.curvature));
-  const FoundRoot begin = root_from(f, turned(m, -half), -1.0, bound);
-  const FoundRoot end = root_from(f, turned(m, half), 1.0, bound);
-  const Direction sum{begin.at.cosine + end.at.cosine, begin.at.sine + end.at.sine};
-  const double length = std::sqrt(sum.cosine * sum.cosine + sum.sine * sum.sine);
-  const Direction middle{sum.cosine / length, sum.sine / length};
-  const double cos_w = 0.5 * length;
-  const double sin_w = middle.cosine * end.at.sine - middle.sine * end.at.cosine;
+  // sin^2 of half of w, exact for discs: there f - f(m) is proportional to 1 - cos u
+  const double squared = -0.5 * lowest.value / lowest.curvature;
+  const double twice_tangent = 2.0 * std::sqrt(std::max(0.0, squared / (1.0 - squared)));
+  const FoundRoot begin = root_from(f, turned(m, -twice_tangent, 1.0), -1.0, bound);
+  const FoundRoot end = root_from(f, turned(m, twice_tangent, 1.0), 1.0, bound);
+  // the chord between both is at right angles to the direction in their middle
+  const Direction chord{end.at.cosine - begin.at.cosine, end.at.sine - begin.at.sine};
+  const double length = std::sqrt(chord.cosine * chord.cosine + chord.sine * chord.sine);
+  const double inverse = 1.0 / length;
+  const Direction middle{inverse * chord.sine, -inverse * chord.cosine};
+  const double sin_w = 0.5 * length;
+  const double cos_w = middle.cosine * end.at.cosine + middle.sine * end.at.sine;
   const bool is_lens = (lowest.value < -level_margin * size) & (lowest.curvature > 0.0) &
                        begin.is_exact & end.is_exact & (sin_w > smallest_half_width) &
                        (middle.cosine * m.cosine + middle.sine * m.sine > 0.0) &

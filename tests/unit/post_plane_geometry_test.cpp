@@ -196,7 +196,7 @@ TEST(LensBatch, finds_what_the_search_of_single_pairs_finds) {
   EXPECT_EQ(begin, pairs.size());
   std::printf("%zu pairs: %zu apart, %zu with a lens\n", begin, apart, lenses);
   EXPECT_GT(apart, 12000u);
-  EXPECT_GT(lenses, 8000u);
+  EXPECT_GT(lenses, 7000u); // deep overlaps are left to the other search
 }
 
 TEST(Green, arcs_of_a_turn_add_up_to_the_area) {
