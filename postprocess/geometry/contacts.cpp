@@ -264,6 +264,8 @@ ContactNetwork find_contacts(const ParticleSet& set, double gap, const NearPairs
     return find_contacts(set, gap);
   const SearchBodies bodies = search_bodies(set, gap);
   ContactNetwork network;
+  network.pairs.reserve(near.pairs().size());
+  network.contacts.reserve(near.pairs().size());
   PairFinder finder(set, bodies, gap, network);
   for (const NearPairs::Pair& pair : near.pairs())
     finder.find(pair);

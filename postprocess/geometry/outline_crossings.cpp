@@ -195,9 +195,7 @@ bool are_apart(const PlaneEllipse& i, const PlaneEllipse& j) {
   return beyond > 0.0 && beyond * beyond > pd * pd + qd * qd;
 }
 
-ArcEnd arc_end(const Root& root) {
-  return {turn_of(root.cosine, root.sine), root.cosine, root.sine};
-}
+ArcEnd arc_end(double cosine, double sine) { return {turn_of(cosine, sine), cosine, sine}; }
 
 /// Appends the arc from a root to the next one at parameter `end` where f < 0; lenses with a chord
 /// below `limit` are left out.
@@ -209,7 +207,7 @@ void append_arc(const Root& begin, const Root& next, double end, const PlaneElli
   if (end - begin.t < 0.5 &&
       Point(i.ux * cosine, i.uy * cosine + i.vy * sine).squaredNorm() < limit * limit)
     return;
-  result.push_back({arc_end(begin), arc_end(next)});
+  result.push_back({arc_end(begin.cosine, begin.sine), arc_end(next.cosine, next.sine)});
 }
 
 /// Appends the parts of an outline where f < 0, between its ascending roots.
@@ -324,14 +322,27 @@ void append_covered(const PlaneEllipse& i, const PlaneEllipse& j, std::vector<Ar
 
 void append_beyond_line(const PlaneEllipse& i, const Point& normal, double offset,
                         std::vector<ArcInterval>& of_i) {
-  TrigonometricPolynomial f; // offset - normal . p(t): negative beyond
-  f.k = offset - normal.dot(i.centre);
-  f.c1 = -(normal.x() * i.ux + normal.y() * i.uy);
-  f.s1 = -normal.y() * i.vy;
-  if (f.k * f.k < f.c1 * f.c1 + f.s1 * f.s1)
-    append_negative(f, roots_of(f), i, shortest_chord * i.bounding_radius(), of_i);
-  else if (f.k < 0.0)
-    of_i.push_back({turn_begin, turn_end});
+  // offset - normal . p(t) = k + c cos t + s sin t is negative beyond: about the direction m of
+  // -(c, s) it is k - L cos(t - m)
+  const double k = offset - normal.dot(i.centre);
+  const double c = -(normal.x() * i.ux + normal.y() * i.uy), s = -normal.y() * i.vy;
+  const double wave = std::sqrt(c * c + s * s);
+  if (!(std::abs(k) < wave)) {
+    if (k < 0.0)
+      of_i.push_back({turn_begin, turn_end});
+    return;
+  }
+  const double cos_w = k / wave, sin_w = std::sqrt((wave - k) * (wave + k)) / wave;
+  const Point m(-c / wave, -s / wave),
+      begin(m.x() * cos_w + m.y() * sin_w, m.y() * cos_w - m.x() * sin_w);
+  const Point end(m.x() * cos_w - m.y() * sin_w, m.y() * cos_w + m.x() * sin_w);
+  const Point along = end - begin;
+  const double limit = shortest_chord * i.bounding_radius();
+  const bool is_small =
+      cos_w > 0.0 &&
+      Point(i.ux * along.x(), i.uy * along.x() + i.vy * along.y()).squaredNorm() < limit * limit;
+  if (!is_small)
+    of_i.push_back({arc_end(begin.x(), begin.y()), arc_end(end.x(), end.y())});
 }
 
 } // namespace ellipsoid::post
