@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace ellipsoid::post {
 namespace {
@@ -234,6 +235,24 @@ class PairFinder {
 
 } // namespace
 
+namespace {
+
+/// Pairs in the order of one of their particles, and else as they were: counted, not compared.
+/// @param[in] count of the particles
+std::vector<NearPairs::Pair> ordered(const std::vector<NearPairs::Pair>& pairs,
+                                     std::size_t NearPairs::Pair::*member, std::size_t count) {
+  std::vector<std::size_t> next(count + 1, 0); // place for the next pair of each particle
+  for (const NearPairs::Pair& pair : pairs)
+    ++next[pair.*member + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<NearPairs::Pair> result(pairs.size());
+  for (const NearPairs::Pair& pair : pairs)
+    result[next[pair.*member]++] = pair;
+  return result;
+}
+
+} // namespace
+
 NearPairs::NearPairs(const ParticleSet& set, double gap) : m_gap(gap) {
   std::vector<Vector3> centres;
   std::vector<double> radii;
@@ -244,15 +263,11 @@ NearPairs::NearPairs(const ParticleSet& set, double gap) : m_gap(gap) {
     radii.push_back(bounding_radius(set, p) + 0.5 * gap);
   }
   CellGrid grid(centres, radii);
-  m_pairs.reserve(8 * set.particles.size());
-  std::vector<std::size_t> partners;
-  for (std::size_t i = 0; i < set.particles.size(); ++i) {
-    partners.clear();
-    grid.for_later_neighbours(i, [&](std::size_t j) { partners.push_back(j); });
-    std::sort(partners.begin(), partners.end());
-    for (const std::size_t j : partners)
-      m_pairs.emplace_back(i, j);
-  }
+  std::vector<Pair> found;
+  found.reserve(8 * set.particles.size());
+  grid.for_pairs([&](std::size_t i, std::size_t j) { found.emplace_back(i, j); });
+  const std::size_t count = set.particles.size();
+  m_pairs = ordered(ordered(found, &Pair::second, count), &Pair::first, count);
 }
 
 ContactNetwork find_contacts(const ParticleSet& set, double gap) {

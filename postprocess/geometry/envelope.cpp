@@ -159,8 +159,7 @@ std::vector<double> UpperEnvelope::breakpoints() const {
   }
   CellGrid grid(centres, radii);
   CrossingPoints points(m_arcs, result);
-  for (std::size_t i = 0; i < m_arcs.size(); ++i)
-    grid.for_later_neighbours(i, [&](std::size_t j) { points.find(j, i); });
+  grid.for_pairs([&](std::size_t i, std::size_t j) { points.find(j, i); });
   points.look_at_waiting();
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());

@@ -234,8 +234,7 @@ OutlinePairs near_outlines(const std::vector<PlaneEllipse>& outlines) {
   }
   CellGrid grid(centres, radii);
   OutlinePairs pairs;
-  for (std::size_t i = 0; i < outlines.size(); ++i)
-    grid.for_later_neighbours(i, [&](std::size_t j) { pairs.emplace_back(i, j); });
+  grid.for_pairs([&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); });
   return pairs;
 }
 
