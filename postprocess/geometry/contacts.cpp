@@ -135,14 +135,12 @@ class PairFinder {
   }
 
  private:
-  /// Deep overlaps are searched anew from the best normal there is.
-  static ContactGeometry settled(const ContactGeometry& found, const EllipsoidShape& i,
-                                 const EllipsoidShape& j, const Vector3& distance) {
-    const bool is_certain =
-        found.status == ContactStatus::separated ||
-        (found.status == ContactStatus::touching &&
-         found.overlap <= i.smallest_curvature_radius + j.smallest_curvature_radius);
-    return is_certain ? found : find_contact(i, j, distance);
+  /// False for deep overlaps: they are to be searched anew from the best normal there is.
+  static bool is_settled(const ContactGeometry& found, const EllipsoidShape& i,
+                         const EllipsoidShape& j) {
+    return found.status == ContactStatus::separated ||
+           (found.status == ContactStatus::touching &&
+            found.overlap <= i.smallest_curvature_radius + j.smallest_curvature_radius);
   }
 
   void add_pair(std::size_t i, std::size_t j, std::size_t first) {
@@ -178,9 +176,13 @@ class PairFinder {
     for (int k = 0; k < m_batch.size(); ++k) {
       const auto [i, j] = m_waiting[static_cast<std::size_t>(k)];
       const std::size_t first = m_network.contacts.size();
-      add_contact(settled(m_batch.geometry(k), m_bodies.smooth[i], m_bodies.smooth[j],
-                          m_bodies.centres[j] - m_bodies.centres[i]),
-                  m_bodies.centres[i], 1.0);
+      const ContactGeometry found = m_batch.geometry(k);
+      const EllipsoidShape &shape_i = m_bodies.smooth[i], &shape_j = m_bodies.smooth[j];
+      if (is_settled(found, shape_i, shape_j))
+        add_contact(found, m_bodies.centres[i], 1.0);
+      else
+        add_contact(find_contact(shape_i, shape_j, m_bodies.centres[j] - m_bodies.centres[i]),
+                    m_bodies.centres[i], 1.0);
       add_pair(i, j, first);
     }
     m_batch.clear();
@@ -191,8 +193,12 @@ class PairFinder {
       ++m_network.not_converged;
     if (found.status == ContactStatus::separated || found.overlap < 0.0)
       return;
-    m_network.contacts.push_back(
-        {centre_i + found.point, sign * found.normal, found.overlap - m_gap});
+    // number by number: a contact that is copied right after its numbers were stored one by one
+    // keeps the processor waiting
+    Contact& contact = m_network.contacts.emplace_back();
+    contact.point = centre_i + found.point;
+    contact.normal = sign * found.normal;
+    contact.overlap = found.overlap - m_gap;
   }
 
   /// @param[in] sign 1 when the ellipsoid is the pair's first particle, else -1

@@ -164,11 +164,19 @@ class HiddenArcs {
   /// An arc over the end of the turn becomes two.
   void add(std::size_t outline, bool is_own, const ArcInterval& arc) {
     if (!(arc.end < arc.begin)) {
-      m_found.push_back({outline, is_own, arc});
+      put(outline, is_own, arc.begin, arc.end);
       return;
     }
-    m_found.push_back({outline, is_own, {arc.begin, turn_end}});
-    m_found.push_back({outline, is_own, {turn_begin, arc.end}});
+    put(outline, is_own, arc.begin, turn_end);
+    put(outline, is_own, turn_begin, arc.end);
+  }
+  /// Number by number: an arc that is copied right after its numbers were stored one by one keeps
+  /// the processor waiting.
+  void put(std::size_t outline, bool is_own, const ArcEnd& begin, const ArcEnd& end) {
+    Hidden& hidden = m_found.emplace_back();
+    hidden.outline = outline;
+    hidden.is_own = is_own;
+    hidden.arc = {{begin.turn, begin.cosine, begin.sine}, {end.turn, end.cosine, end.sine}};
   }
   /// Moves arcs to the list of those found.
   void add(std::size_t outline, bool is_own, std::vector<ArcInterval>& arcs) {
