@@ -10,6 +10,9 @@
 #include "law_batch.h"
 #include "property_registry.h"
 
+#include <cstddef>
+#include <vector>
+
 namespace LIGGGHTS {
 namespace ContactModels {
 
@@ -34,12 +37,25 @@ public:
     registry.connect("viscousDampingNormal", normal_damping_, caller);
     registry.connect("viscousDampingTangential", tangential_damping_, caller);
     registry.connect("coeffFrict", friction_, caller);
+    row_ = static_cast<std::size_t>(registry.max_type()) + 1;
+    of_types_.resize(row_ * row_);
+  }
+
+  /// The host's tables may have changed.
+  void begin_step() {
+    for (std::size_t i = 1; i < row_; ++i)
+      for (std::size_t j = 1; j < row_; ++j)
+        of_types_[row_ * i + j] = {effective_modulus_[i][j], effective_shear_modulus_[i][j],
+                                   normal_damping_[i][j], tangential_damping_[i][j],
+                                   friction_[i][j]};
   }
 
   ellipsoid::LawParameters parameters(int itype, int jtype, double effective_mass) const {
-    return {effective_modulus_[itype][jtype], effective_shear_modulus_[itype][jtype],
-            normal_damping_[itype][jtype] * effective_mass,
-            tangential_damping_[itype][jtype] * effective_mass, friction_[itype][jtype]};
+    ellipsoid::LawParameters law =
+        of_types_[row_ * static_cast<std::size_t>(itype) + static_cast<std::size_t>(jtype)];
+    law.normal_damping *= effective_mass;
+    law.tangential_damping *= effective_mass;
+    return law;
   }
 
 private:
@@ -48,6 +64,8 @@ private:
   double** normal_damping_ = nullptr;
   double** tangential_damping_ = nullptr;
   double** friction_ = nullptr;
+  std::size_t row_ = 0;
+  std::vector<ellipsoid::LawParameters> of_types_; // damping per effective mass
 };
 
 } // namespace ContactModels

@@ -20,6 +20,7 @@
 #include "pair_gran_ellipsoid.h"
 #include "particle_arrays.h"
 #include "settings.h"
+#include "sleeping_pairs.h"
 #include "update.h"
 
 #include <algorithm>
@@ -33,21 +34,21 @@ namespace LIGGGHTS {
 
 using namespace ContactModels;
 
-/// Travels are sums of many terms, which are rounded: so much of a gap is relied upon.
-constexpr double trusted_share_of_gap = 1.0 - 1e-9;
-
 /// Names of history values, and whether they change sign when the pair is seen from j.
 using SearchHistory = std::vector<std::pair<std::string, bool>>;
 
 /// @tparam Surface the derived class. It has
 ///          - prepare(): before the first pair; returns whether the neighbour lists are new;
 ///          - begin_lists(pairs): after that, if they are;
+///          - treat_new_lists(): then, with all pairs;
+///          - asks_flags: false if every pair that stays awake touches and its flag is left alone;
 ///          - prefetch_particle(i): asks the processor for the data of a particle;
-///          - travelled(i): how far any point of particle i has moved at most since then (length),
-///            and travel_bound(), by which no particle's value grows less than it does;
-///          - treat_pair(i, j, pair, travelled, flag, history), `pair` the place in the lists and
-///            `travelled` that of both: returns a length by which the surfaces are apart at least,
-///            0 if they touch or nothing is known; hands every contact to add_contact();
+///          - travels(): how far any point of each particle has moved at most since then;
+///          - look_at_woken(pairs): pairs that slept; each goes on sleeping by put_to_sleep(), or
+///            stays awake by stay_awake();
+///          - treat_pair(i, j, place, flag, history) of a pair that is awake, `place` in the lists:
+///            returns a length by which the surfaces are apart at least, 0 if they touch or nothing
+///            is known; hands every contact to add_contact();
 ///          - finish(): after the last pair.
 /// @tparam Model   the host's ContactModel<...>
 template <typename Surface, typename Model>
@@ -105,7 +106,7 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
       surface.begin_lists(begin_lists());
     counts_.values[ContactCounts::near_pairs] = near_pairs_;
     if (new_lists) {
-      treat_all_pairs();
+      surface.treat_new_lists();
     } else {
       wake_pairs();
       treat_awake_pairs();
@@ -129,22 +130,22 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
   int frozen_group_ = 0;
   const double* rigid_masses_ = nullptr; // of the bodies that particles belong to
 
-  // Surfaces that are apart cannot touch before the two particles have travelled their gap: until
-  // then the pair sleeps. One value per pair of the neighbour lists (never: it is awake). A row of
-  // the lists needs no look before its particle's travel and the bound of all others have reached
-  // its own value.
-  static constexpr double never = std::numeric_limits<double>::infinity();
-  std::vector<double> asleep_until_, row_asleep_until_;
+  ellipsoid::SleepingPairs sleeping_; // by their places in the neighbour lists
   double near_pairs_ = 0.0;
 
-  struct AwakePair {
-    std::size_t place; ///< in the neighbour lists
-    int row, i, j;
+  /// A pair and its place in the neighbour lists.
+  struct ListPair {
+    std::size_t place;
+    int i, j;
+  };
+  std::vector<ListPair> woken_;
+
+  struct AwakePair : ListPair {
     bool touched; ///< in the last step
     int* flag;
     double* history;
   };
-  std::vector<AwakePair> awake_; // in the order of the lists
+  std::vector<AwakePair> awake_;
   static constexpr std::size_t pairs_ahead = 16;
   static constexpr std::ptrdiff_t doubles_per_cache_line = 8;
 
@@ -172,55 +173,53 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
     return squared < reach * reach ? 0.0 : std::sqrt(squared) - reach;
   }
 
-  /// Returns the number of pairs in the neighbour lists.
-  std::size_t begin_lists() {
+  /// Calls visit(i, j) for all pairs of the neighbour lists.
+  template <typename Visit> void for_each_pair(const Visit& visit) const {
     const NeighList* list = pair_->list;
-    std::size_t pairs = 0;
-    near_pairs_ = 0.0;
     for (int ii = 0; ii < list->inum; ++ii) {
       const int i = list->ilist[ii];
-      pairs += static_cast<std::size_t>(list->numneigh[i]);
       for (int jj = 0; jj < list->numneigh[i]; ++jj)
-        near_pairs_ += share(list->firstneigh[i][jj] & NEIGHMASK);
+        visit(i, list->firstneigh[i][jj] & NEIGHMASK);
     }
-    asleep_until_.assign(pairs, never);
-    row_asleep_until_.assign(static_cast<std::size_t>(list->inum), never);
-    awake_.clear();
-    return pairs;
   }
 
-  AwakePair pair_at(int row, int i, int jj, std::size_t place) const {
-    return {place,
-            row,
-            i,
-            pair_->list->firstneigh[i][jj] & NEIGHMASK,
-            false,
-            &pair_->listgranhistory->firstneigh[i][jj],
-            &pair_->listgranhistory->firstdouble[i][history_values_ * jj]};
+  /// Returns the number of pairs in the neighbour lists.
+  std::size_t begin_lists() {
+    sleeping_.restart(static_cast<std::size_t>(atom->nlocal + atom->nghost),
+                      [this](const auto& visit) { for_each_pair(visit); });
+    near_pairs_ = 0.0;
+    for_each_pair([this](int, int j) { near_pairs_ += share(j); });
+    awake_.clear();
+    return sleeping_.size();
+  }
+
+  double* history(const ListPair& pair) const {
+    const std::size_t jj = pair.place - sleeping_.first_place(pair.i);
+    return &pair_->listgranhistory
+                ->firstdouble[pair.i][static_cast<std::size_t>(history_values_) * jj];
+  }
+
+  AwakePair awake(const ListPair& pair) const {
+    const std::size_t jj = pair.place - sleeping_.first_place(pair.i);
+    return {pair, false, &pair_->listgranhistory->firstneigh[pair.i][jj], history(pair)};
   }
 
   /// Returns whether the pair stays awake.
   bool treat(const AwakePair& pair) {
     Surface& surface = static_cast<Surface&>(*this);
-    const double travelled = surface.travelled(pair.i) + surface.travelled(pair.j);
-    const double gap =
-        surface.treat_pair(pair.i, pair.j, pair.place, travelled, *pair.flag, pair.history);
+    const double gap = surface.treat_pair(pair.i, pair.j, pair.place, *pair.flag, pair.history);
     if (gap > 0.0)
-      put_to_sleep(pair, travelled, trusted_share_of_gap * gap);
+      put_to_sleep(pair, gap);
     return !(gap > 0.0);
   }
 
   void treat_all_pairs() {
-    const NeighList* list = pair_->list;
     std::size_t place = 0;
-    for (int ii = 0; ii < list->inum; ++ii) {
-      const int i = list->ilist[ii];
-      for (int jj = 0; jj < list->numneigh[i]; ++jj, ++place) {
-        const AwakePair pair = pair_at(ii, i, jj, place);
-        if (treat(pair))
-          awake_.push_back(pair);
-      }
-    }
+    for_each_pair([this, &place](int i, int j) {
+      const AwakePair pair = awake({place++, i, j});
+      if (treat(pair))
+        awake_.push_back(pair);
+    });
   }
 
   void treat_awake_pairs() {
@@ -230,7 +229,7 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
       prefetch(k + pairs_ahead);
       if (!treat(pair))
         continue;
-      const bool touches = *pair.flag != 0;
+      const bool touches = Surface::asks_flags ? *pair.flag != 0 : true;
       if (kept != k)
         awake_[kept] = pair;
       awake_[kept++].touched = touches;
@@ -240,66 +239,30 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
 
   /// Adds to the pairs that are awake those whose time has come.
   void wake_pairs() {
-    const Surface& surface = static_cast<const Surface&>(*this);
-    const NeighList* list = pair_->list;
-    const double bound = surface.travel_bound();
-    const auto awake_before = static_cast<std::ptrdiff_t>(awake_.size());
-    std::size_t first = 0;
-    for (int ii = 0; ii < list->inum; ++ii) {
-      const int i = list->ilist[ii];
-      if (surface.travelled(i) + bound >= row_asleep_until_[static_cast<std::size_t>(ii)])
-        wake_row(ii, i, first);
-      first += static_cast<std::size_t>(list->numneigh[i]);
-    }
-    if (awake_before < static_cast<std::ptrdiff_t>(awake_.size()))
-      std::inplace_merge(awake_.begin(), awake_.begin() + awake_before, awake_.end(),
-                         [](const AwakePair& a, const AwakePair& b) { return a.place < b.place; });
+    Surface& surface = static_cast<Surface&>(*this);
+    woken_.clear();
+    sleeping_.wake(surface.travels(), [this](std::size_t place, int i, int j) {
+      woken_.push_back({place, i, j});
+    });
+    surface.look_at_woken(woken_);
   }
 
-  /// @param[in] first place of the row's first pair
-  void wake_row(int row, int i, std::size_t first) {
-    const Surface& surface = static_cast<const Surface&>(*this);
-    const double travelled_i = surface.travelled(i);
-    const int* neighbours = pair_->list->firstneigh[i];
-    const int count = pair_->list->numneigh[i];
-    double least = never; // that a pair which sleeps has still to travel
-    for (int jj = 0; jj < count; ++jj) {
-      const std::size_t place = first + static_cast<std::size_t>(jj);
-      const int j = neighbours[jj] & NEIGHMASK;
-      const double left = asleep_until_[place] - (travelled_i + surface.travelled(j));
-      if (left > 0.0) {
-        least = std::min(least, left);
-        continue;
-      }
-      asleep_until_[place] = never;
-      awake_.push_back(pair_at(row, i, jj, place));
-    }
-    row_asleep_until_[static_cast<std::size_t>(row)] =
-        travelled_i + surface.travel_bound() + trusted_share_of_gap * least;
-  }
+  void stay_awake(const ListPair& pair) { awake_.push_back(awake(pair)); }
 
   /// @param[in] gap that both particles together have to travel (length)
-  void put_to_sleep(const AwakePair& pair, double travelled, double gap) {
-    const Surface& surface = static_cast<const Surface&>(*this);
-    asleep_until_[pair.place] = travelled + gap;
-    double& of_row = row_asleep_until_[static_cast<std::size_t>(pair.row)];
-    of_row = std::min(of_row, surface.travelled(pair.i) + surface.travel_bound() + gap);
+  void put_to_sleep(const ListPair& pair, double gap) {
+    sleeping_.sleep(pair.place, pair.i, gap, static_cast<const Surface&>(*this).travels());
   }
 
   /// The histories of pairs lie apart in memory: asked for in time, they are there when needed.
   __attribute__((always_inline)) void prefetch(std::size_t k) const {
     if (k >= awake_.size() || !awake_[k].touched)
       return;
-    __builtin_prefetch(awake_[k].flag, 1);
+    if (Surface::asks_flags)
+      __builtin_prefetch(awake_[k].flag, 1);
     __builtin_prefetch(awake_[k].history, 1);
     __builtin_prefetch(awake_[k].history + doubles_per_cache_line, 1);
     static_cast<const Surface&>(*this).prefetch_particle(awake_[k].j);
-  }
-
-  void put_to_sleep(const AwakePair& pair, double until) {
-    asleep_until_[pair.place] = until;
-    double& of_row = row_asleep_until_[static_cast<std::size_t>(pair.row)];
-    of_row = std::min(of_row, until);
   }
 
   /// Pairs with a ghost are treated by two ranks.
@@ -311,6 +274,8 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
     else
       pair_->evflag = pair_->vflag_fdotr = 0;
     history_values_ = pair_->dnum();
+    if (in_batches_)
+      tables_.begin_step();
     particles_ = ParticleArrays(*atom);
     newton_ = force->newton_pair;
     counts_ = ContactCounts();
@@ -358,6 +323,7 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
     int* flag;
     ellipsoid::Vector3 distance; ///< x_j - x_i (length)
     double mass_i, mass_j, effective_mass;
+    bool is_flagged = false; ///< by the last step
   };
 
   /// One contact.
@@ -365,7 +331,7 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
     ellipsoid::Vector3 normal; ///< unit, from i to j
     ellipsoid::Vector3 point;  ///< relative to the centre of i (length)
     double overlap, reduced_radius;
-    double radius_i, radius_j; ///< of the local spheres (length)
+    double radius_i, radius_j; ///< Gaussian radii of curvature (length)
     double* history;
     double weight = 1.0; ///< of its force in the sum
     int sphere_i = -1, sphere_j = -1;
@@ -405,7 +371,8 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
     }
     using ellipsoid_host::vector;
     const int i = pair.i, j = pair.j;
-    *pair.flag |= CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
+    if (!pair.is_flagged)
+      *pair.flag |= CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
     waiting_contacts_[law_batch_.size()] = {i,
                                             j,
                                             pair.flag,
@@ -518,9 +485,12 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
     ellipsoid_host::store(ellipsoid_host::vector(atom->x[i]) + touch.point, c.contact_point);
     c.deltan = std::max(0.0, touch.overlap);
     c.reff = touch.reduced_radius;
-    c.radi = pair_->curvature_radius_i = touch.radius_i;
-    c.radj = pair_->curvature_radius_j = touch.radius_j;
-    c.radsum = touch.radius_i + touch.radius_j;
+    // local spheres with the Gaussian radii of curvature, scaled so that their R is that of (19)
+    const double scale = touch.reduced_radius * (touch.radius_i + touch.radius_j) /
+                         (touch.radius_i * touch.radius_j);
+    c.radi = pair_->curvature_radius_i = scale * touch.radius_i;
+    c.radj = pair_->curvature_radius_j = scale * touch.radius_j;
+    c.radsum = c.radi + c.radj;
     c.contact_history = touch.history;
     return c;
   }

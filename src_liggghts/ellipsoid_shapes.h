@@ -1,13 +1,15 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // The ellipsoids of owned and ghost particles as the contact search takes them: A = R diag R^T,
-// made once per particle and time step, and only of particles that are asked for.
+// made once per particle and time step: all of them together, or only those that are asked for where
+// most particles touch nothing.
 #ifndef ELLIPSOID_SHAPES_H_
 #define ELLIPSOID_SHAPES_H_
 
 #include "ellipsoid_contact.h"
 #include "ellipsoid_host.h"
 #include "particle_arrays.h"
+#include "shape_batch.h"
 
 #include <cstddef>
 #include <vector>
@@ -16,14 +18,19 @@ namespace LIGGGHTS {
 
 class EllipsoidShapes {
  public:
-  /// Particles have moved: all shapes are made anew when they are asked for. References to shapes
-  /// are good until the next call.
-  void begin_step(const LAMMPS_NS::Atom& atom) {
+  /// Particles have moved: all shapes are made anew. References to shapes are good until the next
+  /// call.
+  /// @param[in] new_lists other particles may be neighbours than before
+  void begin_step(const LAMMPS_NS::Atom& atom, bool new_lists) {
     particles_ = ParticleArrays(atom);
     const auto count = static_cast<std::size_t>(atom.nlocal + atom.nghost);
     if (shapes_.size() != count)
       shapes_.resize(count);
-    fresh_.assign(count, 0);
+    makes_all_ = !new_lists && (makes_all_ || 2 * asked_for_ > count);
+    asked_for_ = 0;
+    fresh_.assign(count, makes_all_ ? 1 : 0);
+    if (makes_all_)
+      make_all();
   }
 
   const ellipsoid::EllipsoidShape& operator[](int i) {
@@ -42,10 +49,27 @@ class EllipsoidShapes {
   ParticleArrays particles_;
   std::vector<ellipsoid::EllipsoidShape> shapes_;
   std::vector<char> fresh_;
+  std::size_t asked_for_ = 0; // shapes that were made one by one in this step
+  bool makes_all_ = false;
+  ellipsoid::ShapeBatch batch_;
+
+  __attribute__((noinline, flatten)) void make_all() {
+    const int count = static_cast<int>(shapes_.size());
+    for (int first = 0; first < count; first += ellipsoid::ShapeBatch::capacity) {
+      batch_.clear();
+      for (int i = first; i < count && !batch_.full(); ++i)
+        batch_.add(ellipsoid_host::vector(particles_.shape[i]),
+                   ellipsoid_host::quaternion(particles_.quaternion[i]));
+      batch_.solve();
+      for (int k = 0; k < batch_.size(); ++k)
+        batch_.store(k, shapes_[static_cast<std::size_t>(first + k)]);
+    }
+  }
 
   __attribute__((noinline, flatten)) void make(int i) {
     const auto index = static_cast<std::size_t>(i);
     fresh_[index] = 1;
+    ++asked_for_;
     shapes_[index] = ellipsoid::make_shape(ellipsoid_host::vector(particles_.shape[i]),
                                            ellipsoid_host::quaternion(particles_.quaternion[i]));
   }

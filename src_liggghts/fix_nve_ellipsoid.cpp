@@ -127,11 +127,27 @@ inline void FixNVEEllipsoid::kick(int i) const {
   }
 }
 
+/// The same for motion in the plane.
+inline void FixNVEEllipsoid::kick_in_plane(int i) const {
+  const double* f = particles_.f[i];
+  double* v = particles_.v[i];
+  const double scale = dtf / particles_.mass[i];
+  v[0] += scale * f[0];
+  v[1] += scale * f[1];
+  particles_.angmom[i][2] += dtf * particles_.torque[i][2];
+}
+
+/// Velocities out of the plane: they would bring forces.
+inline void FixNVEEllipsoid::stop_out_of_plane(int i) const {
+  particles_.v[i][2] = particles_.omega[i][0] = particles_.omega[i][1] = 0.0;
+}
+
 /// Takes out what rounding (or a force out of the plane) has put in.
 inline void FixNVEEllipsoid::keep_in_plane(int i) const {
-  particles_.f[i][2] = particles_.v[i][2] = 0.0;
+  stop_out_of_plane(i);
+  particles_.f[i][2] = 0.0;
   for (int k = 0; k < 2; ++k)
-    particles_.torque[i][k] = particles_.angmom[i][k] = particles_.omega[i][k] = 0.0;
+    particles_.torque[i][k] = particles_.angmom[i][k] = 0.0;
 }
 
 /// Particles turn together with others: as soon as the batch is full, at the latest in
@@ -317,15 +333,17 @@ __attribute__((flatten)) void FixNVEEllipsoid::initial_integrate(int) {
       predict(i, gear);
       return;
     }
-    kick(i);
-    if (planar_)
-      keep_in_plane(i);
-    for (int k = 0; k < 3; ++k)
-      particles_.x[i][k] += dtv * particles_.v[i][k];
-    if (planar_)
+    const int dimensions = planar_ ? 2 : 3;
+    if (planar_) {
+      kick_in_plane(i);
+      stop_out_of_plane(i);
       turn_in_plane(i);
-    else
+    } else {
+      kick(i);
       turn(i);
+    }
+    for (int k = 0; k < dimensions; ++k)
+      particles_.x[i][k] += dtv * particles_.v[i][k];
   });
   turn_waiting();
   turn_waiting_in_plane();
@@ -340,9 +358,12 @@ __attribute__((flatten)) void FixNVEEllipsoid::final_integrate() {
       correct(i, gear);
       return;
     }
-    kick(i);
-    if (planar_)
+    if (planar_) {
+      kick_in_plane(i);
       keep_in_plane(i);
+    } else {
+      kick(i);
+    }
     update_spin(i);
   });
 }

@@ -55,6 +55,8 @@ private:
   template <class Step> void step_in_plane(int i, Step step) const;
   class FixPropertyAtom* find_derivatives(const char* what) const;
   void kick(int i) const;
+  void kick_in_plane(int i) const;
+  void stop_out_of_plane(int i) const;
   void keep_in_plane(int i) const;
   void turn(int i);
   void turn_waiting();

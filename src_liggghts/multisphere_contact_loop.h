@@ -41,6 +41,7 @@ class MultisphereContactLoop : public EllipsoidContactLoop<MultisphereContactLoo
 
  private:
   enum { key_sum, key_difference }; // offsets in a slot
+  static constexpr bool asks_flags = true;
   using SpherePair = ellipsoid::ContactWatch::SpherePair;
 
   /// A search finds the spheres that may touch within so many time steps at the present velocities;
@@ -65,11 +66,16 @@ class MultisphereContactLoop : public EllipsoidContactLoop<MultisphereContactLoo
     __builtin_prefetch(Base::particles_.v[i]);
     __builtin_prefetch(Base::particles_.omega[i]);
   }
-  double travelled(int i) const { return particles_.travelled(i); }
-  double travel_bound() const { return particles_.travel_bound(); }
+  const ellipsoid::Travels& travels() const { return particles_.travels(); }
+  void treat_new_lists() { this->treat_all_pairs(); }
+  void look_at_woken(const std::vector<typename Base::ListPair>& pairs) {
+    for (const typename Base::ListPair& pair : pairs)
+      this->stay_awake(pair);
+  }
   void finish() {}
 
-  double treat_pair(int i, int j, std::size_t pair, double travelled, int& flag, double* history) {
+  double treat_pair(int i, int j, std::size_t pair, int& flag, double* history) {
+    const double travelled = travels().path(i) + travels().path(j);
     const ellipsoid::Vector3 distance = this->centre_distance(i, j);
     if (watch_.is_due(pair, travelled)) {
       const int tested = watch_.search(pair, travelled, particles_.pose(i), particles_.pose(j),

@@ -9,7 +9,6 @@
 #include "multisphere_watch.h"
 #include "neighbor.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -111,8 +110,7 @@ bool MultisphereParticles::update() {
 void MultisphereParticles::begin_lists(std::size_t count) {
   poses_.resize(count);
   centres_.resize(count);
-  travelled_.assign(count, 0.0);
-  travel_bound_ = 0.0;
+  travels_.restart(count);
   for (std::size_t i = 0; i < count; ++i) {
     poses_[i] = make_pose(static_cast<int>(i));
     centres_[i] = vector(atom->x[i]);
@@ -120,17 +118,13 @@ void MultisphereParticles::begin_lists(std::size_t count) {
 }
 
 void MultisphereParticles::move() {
-  double largest_growth = 0.0;
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     const ellipsoid::ChainPose before = poses_[i];
     const ellipsoid::Vector3 centre = vector(atom->x[i]);
     place(static_cast<int>(i), poses_[i]);
-    const double growth = travel(before, poses_[i], centre - centres_[i]);
-    travelled_[i] += growth;
-    largest_growth = std::max(largest_growth, growth);
+    travels_.add(i, travel(before, poses_[i], centre - centres_[i]));
     centres_[i] = centre;
   }
-  travel_bound_ += largest_growth;
 }
 
 } // namespace ellipsoid_host

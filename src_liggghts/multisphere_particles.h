@@ -6,6 +6,7 @@
 
 #include "multisphere_contact.h"
 #include "pointers.h"
+#include "sleeping_pairs.h"
 
 #include <array>
 #include <map>
@@ -37,10 +38,8 @@ public:
   /// @return whether the neighbour lists are new: what is remembered of particles is to be forgotten
   bool update();
   const ellipsoid::ChainPose& pose(int i) const { return poses_[static_cast<std::size_t>(i)]; }
-  /// How far any point of a particle has moved at most since the neighbour lists are there (length).
-  double travelled(int i) const { return travelled_[static_cast<std::size_t>(i)]; }
-  /// Grows in every step by the largest growth of these (length).
-  double travel_bound() const { return travel_bound_; }
+  /// How far any point of each particle has moved at most since the neighbour lists are there.
+  const ellipsoid::Travels& travels() const { return travels_; }
   /// For make_pose() without update(): to be called once per time step.
   void find_properties();
   /// Pose of one owned particle.
@@ -51,8 +50,7 @@ private:
   std::map<Key, std::unique_ptr<ellipsoid::SphereChain>> chains_;
   std::vector<ellipsoid::ChainPose> poses_;
   std::vector<ellipsoid::Vector3> centres_; // at the last update
-  std::vector<double> travelled_;
-  double travel_bound_ = 0.0;
+  ellipsoid::Travels travels_;
   LAMMPS_NS::FixPropertyAtom* subspheres_ = nullptr;
   LAMMPS_NS::FixPropertyAtom* spacing_ = nullptr;
 

@@ -28,13 +28,16 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
 
  private:
   enum { normal_x, normal_y, normal_z, was_touching }; // offsets in the history
+  static constexpr bool asks_flags = false;
 
   EllipsoidShapes shapes_;
   SurfacePaths paths_;
+  bool flags_are_set_ = false; // of all pairs that touched in the last step
 
   bool prepare() {
     const bool new_lists = paths_.update(*this->atom, this->neighbor->ago == 0);
-    shapes_.begin_step(*this->atom);
+    shapes_.begin_step(*this->atom, new_lists);
+    flags_are_set_ = !new_lists;
     return new_lists;
   }
   void begin_lists(std::size_t) {}
@@ -45,20 +48,93 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     __builtin_prefetch(this->particles_.v[i]);
     __builtin_prefetch(this->particles_.omega[i]);
   }
-  double travelled(int i) const { return paths_[i]; }
-  double travel_bound() const { return paths_.bound(); }
+  const ellipsoid::Travels& travels() const { return paths_.travels(); }
 
   const ellipsoid::EllipsoidShape& shape(int i) { return shapes_[i]; }
 
+  /// Most pairs that do not touch need no search.
+  void treat_new_lists() {
+    constexpr std::size_t together = 4096;
+    std::size_t place = 0;
+    this->woken_.clear();
+    this->for_each_pair([this, &place](int i, int j) {
+      const typename Base::ListPair pair{place++, i, j};
+      if (this->history(pair)[was_touching] != 0.0) {
+        this->stay_awake(pair);
+        return;
+      }
+      this->woken_.push_back(pair);
+      if (this->woken_.size() == together) {
+        look_at_woken(this->woken_);
+        this->woken_.clear();
+      }
+    });
+    look_at_woken(this->woken_);
+    this->treat_awake_pairs();
+  }
+
+  /// Most pairs that slept are still apart: one Newton step from the normal that separated them
+  /// tells how far.
+  __attribute__((noinline)) void look_at_woken(const std::vector<typename Base::ListPair>& pairs) {
+    for (const typename Base::ListPair& pair : pairs) {
+      const ellipsoid::Vector3 distance = this->centre_distance(pair.i, pair.j);
+      double* history = this->history(pair);
+      const double bounding_gap = this->bounding_gap(pair.i, pair.j, distance);
+      if (bounding_gap > 0.0) {
+        this->put_to_sleep(pair, bounding_gap);
+        continue;
+      }
+      const ellipsoid::Vector3 remembered = -ellipsoid_host::vector(&history[normal_x]);
+      const bool has_normal = dot(remembered, remembered) > 0.5; // unit vector, or zero
+      looked_at_[batch_.size()] = {pair, history};
+      batch_.add(shape(pair.i), shape(pair.j), distance,
+                 has_normal ? remembered : ellipsoid::normalized(distance));
+      if (batch_.full())
+        finish_woken();
+    }
+    finish_woken();
+  }
+
+  struct WokenPair {
+    typename Base::ListPair pair;
+    double* history;
+  };
+  WokenPair looked_at_[ellipsoid::ContactBatch::capacity];
+
+  void finish_woken() {
+    batch_.find_gaps();
+    for (int k = 0; k < batch_.size(); ++k) {
+      const auto [pair, history] = looked_at_[k];
+      const double gap = batch_.gap(k), share = this->share(pair.j);
+      counts_.values[ContactCounts::tested] += share;
+      counts_.values[ContactCounts::newton_steps] += share;
+      if (!(gap > 0.0)) {
+        this->stay_awake(pair);
+        continue;
+      }
+      if (contact_.computeflag)
+        ellipsoid_host::store(-batch_.normal(k), &history[normal_x]);
+      this->put_to_sleep(pair, gap);
+    }
+    batch_.clear();
+  }
+
   /// A touching pair starts from its last normal, together with others. All others start from
-  /// scratch once a remembered separating normal fails: what a new contact is does not depend on
-  /// what happened before it, nor on whether the run was interrupted.
-  double treat_pair(int i, int j, std::size_t, double, int& flag, double* history) {
+  /// scratch: what a new contact is does not depend on what happened before it, nor on whether the
+  /// run was interrupted.
+  double treat_pair(int i, int j, std::size_t, int& flag, double* history) {
     const ellipsoid::Vector3 distance = this->centre_distance(i, j);
     const ellipsoid::Vector3 remembered = -ellipsoid_host::vector(&history[normal_x]);
     const bool has_normal = dot(remembered, remembered) > 0.5; // unit vector, or zero
     if (has_normal && history[was_touching] != 0.0) {
-      waiting_[batch_.size()] = {i, j, &flag, history, distance};
+      PairAtHand& waiting = waiting_[batch_.size()]; // number by number: see contact_batch.h
+      waiting.i = i;
+      waiting.j = j;
+      waiting.flag = &flag;
+      waiting.history = history;
+      waiting.distance.x = distance.x;
+      waiting.distance.y = distance.y;
+      waiting.distance.z = distance.z;
       batch_.add(shape(i), shape(j), distance, remembered);
       if (batch_.full())
         finish();
@@ -76,7 +152,7 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     }
     ellipsoid::SearchOptions options;
     options.goal = ellipsoid::SearchGoal::distance; // the farther apart, the longer the pair sleeps
-    return treat_result({i, j, &flag, history, distance},
+    return treat_result({i, j, &flag, history, distance, false},
                         find_contact(shape(i), shape(j), distance, options));
   }
 
@@ -93,6 +169,7 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     int* flag;
     double* history;
     ellipsoid::Vector3 distance;
+    bool touched = true; ///< in the last step
   };
 
   ellipsoid::ContactBatch batch_;
@@ -131,16 +208,16 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
   }
 
   void treat_contact(const PairAtHand& pair, const ellipsoid::ContactGeometry& geometry) {
-    // local spheres with the Gaussian radii of curvature, scaled so that their R is that of (19)
-    const double r_i = geometry.curvature_radius_i, r_j = geometry.curvature_radius_j;
-    const double scale = geometry.reduced_radius * (r_i + r_j) / (r_i * r_j);
-    if (contact_.computeflag)
+    typename Base::TouchingPair touching =
+        this->touching_pair(pair.i, pair.j, pair.distance, *pair.flag);
+    touching.is_flagged = pair.touched && flags_are_set_;
+    if (!touching.is_flagged)
+      *pair.flag |= CONTACT_SURFACE_MODEL;
+    if (contact_.computeflag && !pair.touched)
       pair.history[was_touching] = 1.0;
-    *pair.flag |= CONTACT_SURFACE_MODEL;
-    typename Base::Touch touch{
-        geometry.normal, geometry.point, geometry.overlap, geometry.reduced_radius,
-        scale * r_i,     scale * r_j,    pair.history};
-    this->add_contact(this->touching_pair(pair.i, pair.j, pair.distance, *pair.flag), touch);
+    this->add_contact(touching, {geometry.normal, geometry.point, geometry.overlap,
+                                 geometry.reduced_radius, geometry.curvature_radius_i,
+                                 geometry.curvature_radius_j, pair.history});
   }
 };
 

@@ -4,7 +4,6 @@
 #include "atom.h"
 #include "particle_arrays.h"
 
-#include <algorithm>
 #include <cmath>
 
 using namespace LIGGGHTS;
@@ -21,14 +20,12 @@ double largest_angle(double quaternion_distance) {
 
 bool SurfacePaths::update(const LAMMPS_NS::Atom& atom, bool new_lists) {
   const std::size_t count = static_cast<std::size_t>(atom.nlocal + atom.nghost);
-  const bool restart = new_lists || count != paths_.size();
+  const bool restart = new_lists || count != travels_.size();
   if (restart) {
     poses_.resize(count);
-    paths_.assign(count, 0.0);
-    bound_ = 0.0;
+    travels_.restart(count);
   }
   const ParticleArrays particles(atom);
-  double largest_growth = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     Pose& pose = poses_[i];
     const double *x = particles.x[static_cast<int>(i)], *q = particles.quaternion[static_cast<int>(i)];
@@ -45,10 +42,7 @@ bool SurfacePaths::update(const LAMMPS_NS::Atom& atom, bool new_lists) {
     }
     if (restart)
       continue;
-    const double growth = std::sqrt(way) + particles.radius[i] * largest_angle(std::sqrt(turn));
-    paths_[i] += growth;
-    largest_growth = std::max(largest_growth, growth);
+    travels_.add(i, std::sqrt(way) + particles.radius[i] * largest_angle(std::sqrt(turn)));
   }
-  bound_ += largest_growth;
   return restart;
 }

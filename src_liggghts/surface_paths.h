@@ -4,6 +4,8 @@
 #ifndef SURFACE_PATHS_H_
 #define SURFACE_PATHS_H_
 
+#include "sleeping_pairs.h"
+
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -20,18 +22,14 @@ public:
   /// @param[in] new_lists the indices of the particles may have changed: all paths are 0 again
   /// @return whether the paths are 0 again (also when the number of particles has changed)
   bool update(const LAMMPS_NS::Atom& atom, bool new_lists);
-  /// Path (length).
-  double operator[](int i) const { return paths_[static_cast<std::size_t>(i)]; }
-  /// Grows in every step by the largest growth of all paths (length).
-  double bound() const { return bound_; }
+  const ellipsoid::Travels& travels() const { return travels_; }
 
 private:
   struct Pose {
     double x[3], quaternion[4];
   };
   std::vector<Pose> poses_; // at the last call
-  std::vector<double> paths_;
-  double bound_ = 0.0;
+  ellipsoid::Travels travels_;
 };
 
 } // namespace LIGGGHTS

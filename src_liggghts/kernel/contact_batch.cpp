@@ -156,18 +156,55 @@ inline void search_loop(Columns& c, int size) {
 
 ELLIPSOID_VECTOR_VERSIONS(search, Columns)
 
+/// The better one of two proofs: the normal as it is, and after one Newton step.
+inline void separate(const PairColumns& p) {
+  using C = Columns;
+  const SymmetricMatrix3 a_i = p.matrix(C::axx_i), a_j = p.matrix(C::axx_j);
+  const Vector3 distance = p.distance(), normal = p.normal();
+  const OverlapFunction f(a_i, a_j, distance, normal);
+  const OverlapHessian h(curvature_radii_sum(a_i, a_j, f), f.value);
+  const Vector3 next = normalized(normal + h.newton_shift(f, 1.0 / h.determinant));
+  const double value = std::sqrt(dot(next, a_i * next)) + std::sqrt(dot(next, a_j * next)) -
+                       dot(next, distance);
+  const bool better = value < f.value;
+  p.put(C::nx, better ? next.x : normal.x);
+  p.put(C::ny, better ? next.y : normal.y);
+  p.put(C::nz, better ? next.z : normal.z);
+  p.put(C::overlap, better ? value : f.value);
+}
+
+inline void separate_all_loop(Columns& c, int size) {
+  for (int begin = 0; begin < size; begin += block) {
+    Block unused;
+#pragma GCC ivdep
+    for (int m = 0; m < block; ++m)
+      separate({c, unused, begin + m, m});
+  }
+}
+
+ELLIPSOID_VECTOR_VERSIONS(separate_all, Columns)
+
 } // namespace
 
-void ContactBatch::solve() {
-  // the last block is filled up with its first pair, which is there
-  const int last = size_ - size_ % block;
-  for (int k = size_; k % block != 0; ++k) {
+/// The last block is filled up with its first pair, which is there.
+void ContactBatch::fill_last_block() {
+  const int last = size() - size() % block;
+  for (int k = size(); k % block != 0; ++k) {
     for (int column = 0; column < Columns::input_count; ++column)
       columns_.in[column][k] = columns_.in[column][last];
     for (int column = 0; column < Columns::result_count; ++column)
       columns_.out[column][k] = columns_.out[column][last];
   }
-  search(columns_, size_);
+}
+
+void ContactBatch::solve() {
+  fill_last_block();
+  search(columns_, size());
+}
+
+void ContactBatch::find_gaps() {
+  fill_last_block();
+  separate_all(columns_, size());
 }
 
 ContactGeometry ContactBatch::search_alone(int k) const {

@@ -13,20 +13,13 @@
 // minimum to be the only one. All other pairs (a few in a thousand) go through find_contact_from().
 #pragma once
 
+#include "batch.h"
 #include "ellipsoid_contact.h"
 
 namespace ellipsoid {
 
-class ContactBatch {
-public:
-  static constexpr int capacity = 64;
-  /// A cache line more: columns one power of two apart would all fall on the same few cache sets.
-  static constexpr int column_length = capacity + 8;
-
-  int size() const { return size_; }
-  bool full() const { return size_ == capacity; }
-  void clear() { size_ = 0; }
-
+class ContactBatch : public Batch {
+ public:
   /// @param[in] i, j live until clear()
   /// @param[in] centre_distance x_j - x_i (length)
   /// @param[in] start unit normal from i to j: the last one known
@@ -35,6 +28,16 @@ public:
 
   /// Searches the contacts of all pairs added.
   void solve();
+
+  /// Instead of solve(): for pairs that should be apart. One Newton step, no more.
+  void find_gaps();
+  /// A length by which the bodies of pair k are apart at least, with normal(k) as the proof; not
+  /// positive where none was found.
+  double gap(int k) const { return -columns_.out[Columns::overlap][k]; }
+  Vector3 normal(int k) const {
+    return {columns_.out[Columns::nx][k], columns_.out[Columns::ny][k],
+            columns_.out[Columns::nz][k]};
+  }
 
   /// What find_contact_from() would say of pair k, to the tolerances of contact_tolerances.h.
   ContactGeometry geometry(int k) const;
@@ -53,10 +56,10 @@ public:
   };
 
 private:
-  int size_ = 0;
   Columns columns_;
   const EllipsoidShape *shape_i_[capacity], *shape_j_[capacity];
 
+  void fill_last_block();
   ContactGeometry search_alone(int k) const;
 };
 
@@ -66,7 +69,7 @@ private:
 inline void ContactBatch::add(const EllipsoidShape& i, const EllipsoidShape& j,
                               const Vector3& centre_distance, const Vector3& start) {
   using C = Columns;
-  const int k = size_++;
+  const int k = next();
   const auto put = [this, k](int column, double value) { columns_.in[column][k] = value; };
   const auto put_vector = [&put](int column, const Vector3& v) {
     put(column, v.x);

@@ -26,8 +26,8 @@
 
 namespace ellipsoid {
 
-/// An ellipsoid about the origin of its own frame, ready for contact evaluation.
-struct EllipsoidShape {
+/// An ellipsoid about the origin of its own frame, ready for contact evaluation; one cache line.
+struct alignas(64) EllipsoidShape {
   SymmetricMatrix3 a_matrix;             ///< A = R diag(a^2, b^2, c^2) R^T (length^2)
   double axes_product = 0.0;             ///< a b c (length^3)
   double smallest_curvature_radius = 0.; ///< min(a,b,c)^2 / max(a,b,c) (length)
@@ -41,8 +41,8 @@ inline EllipsoidShape make_shape(const Vector3& semiaxes, const Quaternion& orie
   EllipsoidShape shape;
   shape.a_matrix = rotated_diagonal(rotation(orientation), aa, bb, cc);
   shape.axes_product = semiaxes.x * semiaxes.y * semiaxes.z;
-  shape.smallest_curvature_radius =
-      std::min({aa, bb, cc}) / std::max({semiaxes.x, semiaxes.y, semiaxes.z});
+  shape.smallest_curvature_radius = std::min(std::min(aa, bb), cc) /
+                                    std::max(std::max(semiaxes.x, semiaxes.y), semiaxes.z);
   return shape;
 }
 

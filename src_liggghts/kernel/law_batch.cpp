@@ -99,7 +99,7 @@ ELLIPSOID_VECTOR_VERSIONS(law, Columns)
 
 void ContactLawBatch::solve(const LawPass& pass) {
   columns_.pass = pass;
-  law(columns_, size_);
+  law(columns_, size());
 }
 
 } // namespace ellipsoid

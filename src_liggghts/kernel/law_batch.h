@@ -7,6 +7,7 @@
 // Sign conventions are those of contact_law.h: the unit normal points from j to i, forces act on i.
 #pragma once
 
+#include "batch.h"
 #include "contact_law.h"
 
 namespace ellipsoid {
@@ -48,16 +49,8 @@ struct LawPass {
   bool no_attraction;    ///< a normal force that pulls counts as 0
 };
 
-class ContactLawBatch {
-public:
-  static constexpr int capacity = 64;
-  /// A cache line more: columns one power of two apart would all fall on the same few cache sets.
-  static constexpr int column_length = capacity + 8;
-
-  int size() const { return size_; }
-  bool full() const { return size_ == capacity; }
-  void clear() { size_ = 0; }
-
+class ContactLawBatch : public Batch {
+ public:
   /// @param[in] spring accumulated tangential displacement of the last step (length)
   void add(const ContactPlace& place, const PairMotion& motion, const LawParameters& parameters,
            const Vector3& spring);
@@ -84,7 +77,6 @@ public:
   };
 
 private:
-  int size_ = 0;
   Columns columns_;
 };
 
@@ -93,7 +85,7 @@ private:
 inline void ContactLawBatch::add(const ContactPlace& place, const PairMotion& motion,
                                  const LawParameters& parameters, const Vector3& spring) {
   using C = Columns;
-  const int k = size_++;
+  const int k = next();
   const auto put = [this, k](int column, double value) { columns_.in[column][k] = value; };
   const auto put_vector = [&put](int first, const Vector3& v) {
     put(first, v.x);

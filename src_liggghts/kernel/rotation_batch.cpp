@@ -70,7 +70,7 @@ ELLIPSOID_VECTOR_VERSIONS(rotate_in_plane, PlanarRotationBatch::Columns)
 
 void RotationBatch::add(const Quaternion& orientation, const Vector3& momentum,
                         const Vector3& inertia) {
-  const int k = size_++;
+  const int k = next();
   put(columns_, orientation, k);
   columns_.values[Columns::mx][k] = momentum.x;
   columns_.values[Columns::my][k] = momentum.y;
@@ -80,7 +80,7 @@ void RotationBatch::add(const Quaternion& orientation, const Vector3& momentum,
 
 void RotationBatch::solve(double time_step) {
   columns_.time_step = time_step;
-  rotate(columns_, size_);
+  rotate(columns_, size());
 }
 
 Quaternion RotationBatch::orientation(int k) const { return quaternion_of(columns_, k); }
@@ -92,7 +92,7 @@ Vector3 RotationBatch::omega(int k) const {
 
 void PlanarRotationBatch::add(const Quaternion& orientation, double momentum_z,
                               const Vector3& inertia) {
-  const int k = size_++;
+  const int k = next();
   put(columns_, orientation, k);
   columns_.values[Columns::mz][k] = momentum_z;
   put_inertia(columns_, inertia, k);
@@ -100,7 +100,7 @@ void PlanarRotationBatch::add(const Quaternion& orientation, double momentum_z,
 
 void PlanarRotationBatch::solve(double time_step) {
   columns_.time_step = time_step;
-  rotate_in_plane(columns_, size_);
+  rotate_in_plane(columns_, size());
 }
 
 Quaternion PlanarRotationBatch::orientation(int k) const { return quaternion_of(columns_, k); }

@@ -4,21 +4,14 @@
 // into vector instructions. The results are those of the functions, bit for bit.
 #pragma once
 
+#include "batch.h"
 #include "rigid_body.h"
 
 namespace ellipsoid {
 
 /// rotate_freely() and angular_velocity().
-class RotationBatch {
-public:
-  static constexpr int capacity = 64;
-  /// A cache line more: columns one power of two apart would all fall on the same few cache sets.
-  static constexpr int column_length = capacity + 8;
-
-  int size() const { return size_; }
-  bool full() const { return size_ == capacity; }
-  void clear() { size_ = 0; }
-
+class RotationBatch : public Batch {
+ public:
   /// @param[in] momentum angular momentum (space frame), @param[in] inertia principal moments
   void add(const Quaternion& orientation, const Vector3& momentum, const Vector3& inertia);
 
@@ -36,19 +29,12 @@ public:
   };
 
 private:
-  int size_ = 0;
   Columns columns_;
 };
 
 /// planar_inertia() and rotate_about_z(): bodies that move in the xy plane.
-class PlanarRotationBatch {
-public:
-  static constexpr int capacity = RotationBatch::capacity;
-
-  int size() const { return size_; }
-  bool full() const { return size_ == capacity; }
-  void clear() { size_ = 0; }
-
+class PlanarRotationBatch : public Batch {
+ public:
   /// @param[in] momentum_z angular momentum about z, @param[in] inertia principal moments
   void add(const Quaternion& orientation, double momentum_z, const Vector3& inertia);
 
@@ -66,12 +52,11 @@ public:
   /// Columns of numbers, one per body.
   struct Columns {
     enum Value { qw, qx, qy, qz, mz, ix, iy, iz, rate, about_z, misaligned, value_count };
-    alignas(64) double values[value_count][RotationBatch::column_length];
+    alignas(64) double values[value_count][column_length];
     double time_step;
   };
 
 private:
-  int size_ = 0;
   Columns columns_;
 };
 

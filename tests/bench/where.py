@@ -10,8 +10,9 @@ from scripts import SPHERE
 #: part of the work: what the names of its functions look like; the first match counts
 PARTS = (
     ("contact law", r"tangential_force|advance_spring|add_contact_force|TangentialModel|NormalModel|"
-                    r"surfacesIntersectNonSpherical"),
+                    r"surfacesIntersectNonSpherical|\blaw_|ContactLawBatch|apply_waiting_contacts"),
     ("contact geometry", r"ellipsoid::(?!.*(?:rotat|turn|angular|inertia|Rotation))|SurfacePaths|"
+                         r"EllipsoidShapes|"
                          r"MathExtraLiggghtsNonspherical|SurfaceModel<|MultisphereParticles|"
                          r"update_shapes|\bSuperquadric::"),
     ("walls", r"[Ww]all|Primitive"),

@@ -1,0 +1,26 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#pragma once
+
+namespace ellipsoid {
+
+/// How full a batch is: columns of numbers in which place k belongs to item k, for loops that the
+/// compiler turns into vector instructions.
+class Batch {
+ public:
+  static constexpr int capacity = 64;
+  /// A cache line more: columns one power of two apart would all fall on the same few cache sets.
+  static constexpr int column_length = capacity + 8;
+
+  int size() const { return size_; }
+  bool full() const { return size_ == capacity; }
+  void clear() { size_ = 0; }
+
+ protected:
+  /// Place of the next item.
+  int next() { return size_++; }
+
+ private:
+  int size_ = 0;
+};
+
+} // namespace ellipsoid
