@@ -317,6 +317,9 @@ class ClusterFinder {
       look_at_waiting();
   }
 
+  /// A pair that touches.
+  void join(const NearPairs::Pair& pair) { m_clusters.join(pair.first, pair.second); }
+
   /// To be called after the last pair. Clusters by the smallest index in them.
   std::vector<std::size_t> clusters() {
     look_at_waiting();
@@ -332,7 +335,7 @@ class ClusterFinder {
   }
   void search(const NearPairs::Pair& pair) {
     if (particles_touch(m_set, m_bodies, m_gap, pair.first, pair.second))
-      m_clusters.join(pair.first, pair.second);
+      join(pair);
   }
   void look_at_waiting() {
     m_looks.solve();
@@ -341,7 +344,7 @@ class ClusterFinder {
       if (m_looks.are_apart(k))
         continue;
       if (m_looks.touch(k))
-        m_clusters.join(pair.first, pair.second);
+        join(pair);
       else if (!are_joined(pair))
         search(pair);
     }
@@ -358,8 +361,11 @@ class ClusterFinder {
 
 } // namespace
 
-std::vector<std::size_t> touching_clusters(const ParticleSet& set, const NearPairs& near) {
+std::vector<std::size_t> touching_clusters(const ParticleSet& set, const NearPairs& near,
+                                           const std::vector<PairContact>& touching) {
   ClusterFinder finder(set, near.gap());
+  for (const PairContact& pair : touching)
+    finder.join({pair.i, pair.j});
   for (const NearPairs::Pair& pair : near.pairs())
     finder.find(pair);
   return finder.clusters();

@@ -56,7 +56,9 @@ ContactNetwork find_contacts(const ParticleSet& set, double gap, const NearPairs
 /// The cluster of every particle, by the smallest index in it: particles belong together when they
 /// touch as in find_contacts(), or are connected by particles that do. Faster than the contacts.
 /// The gap is that of the near pairs.
-std::vector<std::size_t> touching_clusters(const ParticleSet& set, const NearPairs& near);
+/// @param[in] touching pairs that are known to touch, if any
+std::vector<std::size_t> touching_clusters(const ParticleSet& set, const NearPairs& near,
+                                           const std::vector<PairContact>& touching = {});
 
 /// A plane wall: bodies are on the side into which `inward` points.
 struct PlaneWall {

@@ -19,9 +19,10 @@ double mean_z(const ParticleSet& set) {
 } // namespace
 
 std::vector<std::size_t> pile_members(const ParticleSet& set, const PileOptions& options,
-                                      const NearPairs& near) {
+                                      const NearPairs& near,
+                                      const std::vector<PairContact>& touching) {
   const std::size_t count = set.particles.size();
-  const std::vector<std::size_t> clusters = touching_clusters(set, near);
+  const std::vector<std::size_t> clusters = touching_clusters(set, near, touching);
   std::vector<std::size_t> size(count, 0);
   std::vector<char> touches_wall(count, 0);
   bool any_touches = false;
@@ -67,15 +68,19 @@ void find_extent(PileBody& pile, const PileOptions& options) {
 
 } // namespace
 
-PileBody find_pile_body(const ParticleSet& set, const PileOptions& options) {
+NearPairs near_pairs(const ParticleSet& set, const PileOptions& options) {
+  return {set, options.cluster_gap * mean_smallest_axis(set, all_members(set))};
+}
+
+PileBody find_pile_body(const ParticleSet& set, const PileOptions& options, NearPairs near,
+                        const std::vector<PairContact>& touching) {
   if (set.particles.empty())
     throw InputError("a pile needs at least one particle, the frame has none");
   const double section = options.section.value_or(mean_z(set));
-  const double gap = options.cluster_gap * mean_smallest_axis(set, all_members(set));
   PileBody pile;
-  pile.near = NearPairs(set, gap);
+  pile.near = std::move(near);
   pile.section = section;
-  pile.members = pile_members(set, options, pile.near);
+  pile.members = pile_members(set, options, pile.near, touching);
   pile.strays = set.particles.size() - pile.members.size();
   pile.mean_a = mean_largest_axis(set, pile.members);
   pile.mean_b = mean_smallest_axis(set, pile.members);
@@ -88,10 +93,15 @@ PileBody find_pile_body(const ParticleSet& set, const PileOptions& options) {
   return pile;
 }
 
-Pile find_pile(const ParticleSet& set, const PileOptions& options) {
-  PileBody body = find_pile_body(set, options);
+Pile find_pile(const ParticleSet& set, const PileOptions& options, NearPairs near,
+               const std::vector<PairContact>& touching) {
+  PileBody body = find_pile_body(set, options, std::move(near), touching);
   UpperEnvelope surface(body.outlines, options.floor);
   return {std::move(body), std::move(surface)};
+}
+
+Pile find_pile(const ParticleSet& set, const PileOptions& options) {
+  return find_pile(set, options, near_pairs(set, options));
 }
 
 } // namespace ellipsoid::post

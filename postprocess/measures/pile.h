@@ -48,14 +48,23 @@ struct Pile : PileBody {
 
 /// Indices of the particles that belong to the pile, ascending.
 /// @param[in] near its gap: particles this close belong together
+/// @param[in] touching pairs that are known to touch, if any
 std::vector<std::size_t> pile_members(const ParticleSet& set, const PileOptions& options,
-                                      const NearPairs& near);
+                                      const NearPairs& near,
+                                      const std::vector<PairContact>& touching = {});
+
+/// Pairs of particles near enough to each other to belong to one pile.
+NearPairs near_pairs(const ParticleSet& set, const PileOptions& options);
 
 /// The pile: the connected cluster of particles that touches the wall (the largest if several
 /// do; without a wall the largest cluster of all) and its outlines.
 /// Throws InputError when there are no particles.
-PileBody find_pile_body(const ParticleSet& set, const PileOptions& options);
+/// @param[in] near see near_pairs(), @param[in] touching see pile_members()
+PileBody find_pile_body(const ParticleSet& set, const PileOptions& options, NearPairs near,
+                        const std::vector<PairContact>& touching = {});
 /// The same with its free surface.
+Pile find_pile(const ParticleSet& set, const PileOptions& options, NearPairs near,
+               const std::vector<PairContact>& touching = {});
 Pile find_pile(const ParticleSet& set, const PileOptions& options);
 
 } // namespace ellipsoid::post
