@@ -110,6 +110,8 @@ int write_series(const ParaviewOptions& options) {
                            options.time_step > 0.0 ? step * options.time_step : step,
                            name.substr(name.find_last_of('/') + 1));
   });
+  if (entries.empty())
+    return code;
   write_text(options.output + ".pvd",
              "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n"
              "<Collection>\n" +

@@ -207,6 +207,8 @@ def check_vtk():
     assert energy["timestep"] == 3
     with open("surfaces.pvd", encoding="ascii") as file:
         assert 'file="surfaces_3.vtp"' in file.read()
+    _, error = post("paraview", "missing.dump", "-o", "nothing", expect=1)
+    assert "missing.dump" in error and not os.path.exists("nothing.pvd"), error
 
 
 check_template()
