@@ -19,7 +19,14 @@ struct SearchBodies {
   std::vector<EllipsoidShape> smooth; ///< by particle; unused for multi-sphere particles
   std::vector<Vector3> centres;
   std::vector<char> is_smooth;
+  std::vector<double> inner_radii; ///< of balls inside the ellipsoids
 
+  /// Whether a look at the centres tells that two ellipsoids touch.
+  bool surely_touch(const NearPairs::Pair& pair) const {
+    const Vector3 d = centres[pair.second] - centres[pair.first];
+    const double reach = inner_radii[pair.first] + inner_radii[pair.second];
+    return dot(d, d) < reach * reach;
+  }
   bool are_smooth(const NearPairs::Pair& pair) const {
     return is_smooth[pair.first] && is_smooth[pair.second];
   }
@@ -39,6 +46,7 @@ double bounding_radius(const ParticleSet& set, const Particle& p) {
 }
 
 SearchBodies search_bodies(const ParticleSet& set, double gap) {
+  constexpr double well_inside = 1.0 - 1.0e-6; // far above rounding
   SearchBodies bodies;
   bodies.smooth.reserve(set.particles.size());
   bodies.centres.reserve(set.particles.size());
@@ -47,6 +55,7 @@ SearchBodies search_bodies(const ParticleSet& set, double gap) {
     bodies.smooth.push_back(make_shape(p.semiaxes + half_gap, p.orientation));
     bodies.centres.push_back(p.centre);
     bodies.is_smooth.push_back(p.is_smooth());
+    bodies.inner_radii.push_back(p.is_smooth() ? well_inside * p.smallest_axis() : 0.0);
   }
   return bodies;
 }
@@ -311,6 +320,10 @@ class ClusterFinder {
       search(pair);
       return;
     }
+    if (m_bodies.surely_touch(pair)) {
+      join(pair);
+      return;
+    }
     m_waiting[static_cast<std::size_t>(m_looks.size())] = pair;
     m_bodies.add_to(m_looks, pair);
     if (m_looks.full())
@@ -331,7 +344,7 @@ class ClusterFinder {
 
  private:
   bool are_joined(const NearPairs::Pair& pair) {
-    return m_clusters.root(pair.first) == m_clusters.root(pair.second);
+    return m_clusters.are_joined(pair.first, pair.second);
   }
   void search(const NearPairs::Pair& pair) {
     if (particles_touch(m_set, m_bodies, m_gap, pair.first, pair.second))
