@@ -143,11 +143,12 @@ class FrameChooser {
     m_free.pop_back();
     std::swap(*own, frame);
     m_rows_waiting += own->rows;
-    m_text_waiting += own->unread.size();
+    const std::size_t text = own->unread.size(); // the thread will change it
+    m_text_waiting += text;
     Frame* const shared = own.get();
     std::future<Outcome> outcome =
         m_workers->submit<Outcome>([this, shared] { return outcome_of(*shared); });
-    m_waiting.push_back({std::move(outcome), std::move(own), shared->unread.size()});
+    m_waiting.push_back({std::move(outcome), std::move(own), text});
   }
 
   /// In a thread: reads the rows, and measures.
