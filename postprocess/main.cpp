@@ -5,8 +5,19 @@
 #include <algorithm>
 #include <exception>
 #include <string>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace {
+
+/// Every frame needs as much memory as the one before: what is free is not given back in between.
+void keep_free_memory() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 8 << 20);
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);
+#endif
+}
 
 /// The message for a first word that is no command, or nothing.
 std::string unknown_command(const CLI::App& program, int argc, char** argv) {
@@ -26,6 +37,7 @@ std::string unknown_command(const CLI::App& program, int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace ellipsoid::post;
+  keep_free_memory();
   CLI::App program("ellipsoid-post: measures and shows what LIGGGHTS piled up, from its dumps.",
                    "ellipsoid-post");
   program.require_subcommand(1);

@@ -4,6 +4,7 @@
 #include "pile_commands.h"
 
 #include <memory>
+#include <utility>
 
 namespace ellipsoid::post {
 namespace {
@@ -14,15 +15,20 @@ struct CoordinationCommandOptions : PileCommandOptions {
 
 Row coordination_row(const CoordinationCommandOptions& options, const ChosenFrame& chosen) {
   const PileOptions settings = plane_settings(options.plane);
-  const Pile pile = find_pile(chosen.set, settings);
-  const CoordinationOptions counting = coordination_settings(options, settings, pile.mean_b);
   const bool is_listed = !options.contacts.files.empty();
+  NearPairs near = near_pairs(chosen.set, settings);
+  ContactNetwork network;
+  if (!is_listed)
+    network = early_contacts(options, chosen.set, near);
+  const PileBody pile = find_pile_body(chosen.set, settings, std::move(near), network.pairs);
+  const CoordinationOptions counting = coordination_settings(options, settings, pile.mean_b);
   if (!is_listed)
     warn_of_digits(chosen);
-  const ContactNetwork network =
-      is_listed ? listed_contacts(contact_list_at(options.contacts, chosen.frame.timestep),
-                                  options.contacts.columns, chosen.set)
-                : find_contacts(chosen.set, counting.gap);
+  if (is_listed)
+    network = listed_contacts(contact_list_at(options.contacts, chosen.frame.timestep),
+                              options.contacts.columns, chosen.set);
+  else if (counting.gap > 0.0)
+    network = find_contacts(chosen.set, counting.gap, pile.near);
   const Coordination z = coordination(chosen.set, pile.members, network, counting);
   Row row = frame_row(chosen);
   append_pile(row, chosen.set, pile, settings);

@@ -1,11 +1,13 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "frame_options.h"
 
+#include "frame_rows.h"
 #include "frame_stream.h"
 #include "worker_pool.h"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
 
 namespace ellipsoid::post {
 namespace {
@@ -24,11 +26,27 @@ std::string check_frames(const std::string& word) {
   return fmt::format("--frame \"{}\": allowed are last, first, all, or a time step", word);
 }
 
+/// A warning; of several with the same `once_for` only the first is printed.
+struct Warning {
+  std::string message, once_for;
+};
+
 /// What became of a frame: an error message, or what to do with its measures.
 struct Outcome {
   std::string error;
   Collect collect;
+  bool is_unreadable = false; ///< what follows in the file does not count
+  std::vector<Warning> warnings;
 };
+
+void print(const Warning& warning) {
+  static std::set<std::string> known;
+  if (warning.once_for.empty() || known.insert(warning.once_for).second)
+    fmt::print(stderr, "warning: {}\n", warning.message);
+}
+
+/// Where the warnings of this thread wait until those of the frames before have been printed.
+thread_local std::vector<Warning>* waiting_warnings = nullptr;
 
 /// The frames of one run that the options choose, several at a time.
 class FrameChooser {
@@ -48,11 +66,12 @@ class FrameChooser {
   int read(const std::vector<std::string>& files) {
     try {
       FrameStream stream(files);
-      while (!m_is_done && stream.next(m_frame))
+      while (!m_is_done && next_of(stream))
         take();
     } catch (const InputError& error) {
       collect_all();
-      report_error(error.what());
+      if (!m_is_unreadable)
+        report_error(error.what());
       m_code = exit_bad_data;
     }
     if (m_options.frames == "last" && m_has_last)
@@ -66,6 +85,12 @@ class FrameChooser {
   }
 
  private:
+  /// Threads read the rows of their frames, but not of the first one: what is wrong with a file is
+  /// mostly seen there.
+  bool next_of(FrameStream& stream) {
+    return m_workers && m_seen > 0 ? stream.next_unread(m_frame) : stream.next(m_frame);
+  }
+
   /// Why nothing was chosen although nothing is broken.
   std::string no_frame() const {
     if (m_seen == 0)
@@ -99,48 +124,83 @@ class FrameChooser {
 
   /// Measures a frame, now or in a thread.
   void hand_over(Frame& frame) {
-    constexpr std::size_t most_rows = 1000000; // in memory at the same time, or a single frame
+    // in memory at the same time, or a single frame
+    constexpr std::size_t most_rows = 1000000, most_text = std::size_t{1} << 28;
     ++m_chosen;
     if (!m_workers) {
-      finish(outcome_of(frame));
+      Outcome outcome;
+      measure(frame, outcome);
+      finish(outcome);
       return;
     }
     while (!m_waiting.empty() &&
-           (m_waiting.size() >= m_most_frames || m_rows_waiting + frame.rows > most_rows))
+           (m_waiting.size() >= m_most_frames || m_rows_waiting + frame.rows > most_rows ||
+            m_text_waiting + frame.unread.size() > most_text))
       collect_oldest();
-    m_rows_waiting += frame.rows;
-    auto own = std::make_shared<Frame>(std::move(frame));
-    m_waiting.push_back(
-        {m_workers->submit<Outcome>([this, own] { return outcome_of(*own); }), own->rows});
+    if (m_free.empty())
+      m_free.push_back(std::make_unique<Frame>());
+    std::unique_ptr<Frame> own = std::move(m_free.back());
+    m_free.pop_back();
+    std::swap(*own, frame);
+    m_rows_waiting += own->rows;
+    const std::size_t text = own->unread.size(); // the thread will change it
+    m_text_waiting += text;
+    Frame* const shared = own.get();
+    std::future<Outcome> outcome =
+        m_workers->submit<Outcome>([this, shared] { return outcome_of(*shared); });
+    m_waiting.push_back({std::move(outcome), std::move(own), text});
   }
 
-  Outcome outcome_of(const Frame& frame) const {
+  /// In a thread: reads the rows, and measures.
+  Outcome outcome_of(Frame& frame) const {
+    Outcome outcome;
     try {
-      return {"", m_measure({m_run, frame, particles_of(frame, m_options.particles)})};
+      read_rows(frame);
+    } catch (const InputError& error) {
+      outcome.error = error.what();
+      outcome.is_unreadable = true;
+      return outcome;
+    }
+    waiting_warnings = &outcome.warnings;
+    measure(frame, outcome);
+    waiting_warnings = nullptr;
+    return outcome;
+  }
+
+  void measure(const Frame& frame, Outcome& outcome) const {
+    try {
+      outcome.collect = m_measure({m_run, frame, particles_of(frame, m_options.particles)});
     } catch (const InputError& error) {
       const std::string what = error.what();
       const bool names_place = what.find(frame.place.file) != std::string::npos;
-      return {names_place ? what
-                          : fmt::format("{}: frame {} (time step {}): {}", frame.place.file,
-                                        frame.place.frame, frame.timestep, what),
-              {}};
+      outcome.error = names_place ? what
+                                  : fmt::format("{}: frame {} (time step {}): {}", frame.place.file,
+                                                frame.place.frame, frame.timestep, what);
     }
   }
 
   void finish(const Outcome& outcome) {
+    if (m_is_unreadable)
+      return;
+    for (const Warning& warning : outcome.warnings)
+      print(warning);
     if (outcome.collect)
       outcome.collect();
     if (outcome.error.empty())
       return;
     report_error(outcome.error);
     m_code = exit_bad_data;
+    m_is_unreadable = outcome.is_unreadable;
+    m_is_done = m_is_done || m_is_unreadable;
   }
 
   void collect_oldest() {
-    m_rows_waiting -= m_waiting.front().rows;
-    std::future<Outcome> oldest = std::move(m_waiting.front().outcome);
+    Waiting oldest = std::move(m_waiting.front());
     m_waiting.pop_front();
-    finish(oldest.get());
+    m_rows_waiting -= oldest.frame->rows;
+    m_text_waiting -= oldest.text;
+    finish(oldest.outcome.get());
+    m_free.push_back(std::move(oldest.frame));
   }
   void collect_all() {
     while (!m_waiting.empty())
@@ -149,7 +209,8 @@ class FrameChooser {
 
   struct Waiting {
     std::future<Outcome> outcome;
-    std::size_t rows;
+    std::unique_ptr<Frame> frame;
+    std::size_t text; ///< that its rows were (bytes)
   };
 
   const FrameOptions& m_options;
@@ -159,9 +220,12 @@ class FrameChooser {
   const std::function<Collect(const ChosenFrame&)>& m_measure;
   Frame m_frame, m_last;
   bool m_has_last = false, m_is_done = false;
-  std::size_t m_chosen = 0, m_rows_waiting = 0, m_seen = 0; ///< frames, rows, frames
-  std::int64_t m_first_step = 0, m_last_step = 0;           ///< of the frames that were seen
-  std::deque<Waiting> m_waiting; ///< frames that are being measured, oldest first
+  bool m_is_unreadable = false;         ///< rows of a frame that was given to the threads
+  std::size_t m_chosen = 0, m_seen = 0; ///< frames
+  std::size_t m_rows_waiting = 0, m_text_waiting = 0; ///< rows, bytes
+  std::int64_t m_first_step = 0, m_last_step = 0;     ///< of the frames that were seen
+  std::deque<Waiting> m_waiting;              ///< frames that are being measured, oldest first
+  std::vector<std::unique_ptr<Frame>> m_free; ///< whose memory is used again
   int m_code = exit_good;
 };
 
@@ -322,6 +386,11 @@ void write_table(const FrameOptions& options, const Table& table) {
 
 void report_error(const std::string& message) { fmt::print(stderr, "error: {}\n", message); }
 
-void report_warning(const std::string& message) { fmt::print(stderr, "warning: {}\n", message); }
+void report_warning(const std::string& message, const std::string& once_for) {
+  if (waiting_warnings)
+    waiting_warnings->push_back({message, once_for});
+  else
+    print({message, once_for});
+}
 
 } // namespace ellipsoid::post

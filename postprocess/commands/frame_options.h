@@ -77,7 +77,8 @@ bool prints_text(const FrameOptions& options);
 
 /// Prints "error: ..." on standard error.
 void report_error(const std::string& message);
-/// Prints "warning: ..." on standard error.
-void report_warning(const std::string& message);
+/// Prints "warning: ..." on standard error; of several with the same `once_for` only the first.
+/// From a measure in a thread: when it is the frame's turn.
+void report_warning(const std::string& message, const std::string& once_for = "");
 
 } // namespace ellipsoid::post

@@ -4,6 +4,7 @@
 #include "pile_commands.h"
 
 #include <fmt/format.h>
+#include <utility>
 
 namespace ellipsoid::post {
 
@@ -93,8 +94,18 @@ CoordinationOptions coordination_settings(const PileCommandOptions& options,
 }
 
 Pile plane_pile(const ChosenFrame& chosen, const PileOptions& options) {
+  return plane_pile(chosen, options, near_pairs(chosen.set, options), {});
+}
+
+ContactNetwork early_contacts(const PileCommandOptions& options, const ParticleSet& set,
+                              const NearPairs& near) {
+  return options.contact_gap > 0.0 ? ContactNetwork() : find_contacts(set, 0.0, near);
+}
+
+Pile plane_pile(const ChosenFrame& chosen, const PileOptions& options, NearPairs near,
+                const std::vector<PairContact>& touching) {
   constexpr double noticeable = 0.01; // of b
-  Pile pile = find_pile(chosen.set, options);
+  Pile pile = find_pile(chosen.set, options, std::move(near), touching);
   if (!options.section && pile.out_of_plane > noticeable * pile.mean_b)
     report_warning(
         fmt::format("{}: centres lie up to {:.2g} b out of the plane z = {:.4g}: what is "
@@ -106,7 +117,12 @@ Pile plane_pile(const ChosenFrame& chosen, const PileOptions& options) {
 
 PileResult analyse_pile(const PileCommandOptions& options, const ChosenFrame& chosen) {
   const PileOptions settings = plane_settings(options.plane);
-  PileResult result{settings, plane_pile(chosen, settings), {}, frame_row(chosen)};
+  NearPairs near = near_pairs(chosen.set, settings);
+  ContactNetwork network = early_contacts(options, chosen.set, near);
+  PileResult result{settings,
+                    plane_pile(chosen, settings, std::move(near), network.pairs),
+                    {},
+                    frame_row(chosen)};
   const Pile& pile = result.pile;
   warn_of_digits(chosen);
   append_pile(result.row, chosen.set, pile, settings);
@@ -118,7 +134,10 @@ PileResult analyse_pile(const PileCommandOptions& options, const ChosenFrame& ch
   append_porosity(result.row,
                   plane_porosity(pile, settings, porosity_settings(options), result.flanks));
   const CoordinationOptions contacts = coordination_settings(options, settings, pile.mean_b);
-  append_coordination(result.row, coordination(chosen.set, pile.members, contacts), pile.mean_b);
+  if (contacts.gap > 0.0)
+    network = find_contacts(chosen.set, contacts.gap, pile.near);
+  append_coordination(result.row, coordination(chosen.set, pile.members, network, contacts),
+                      pile.mean_b);
   append_rest(result.row, check_rest(chosen.set, pile.members, options.gravity));
   return result;
 }

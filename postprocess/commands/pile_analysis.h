@@ -27,6 +27,14 @@ CoordinationOptions coordination_settings(const PileCommandOptions& options,
 
 /// The pile of a frame; warns when its particles do not lie in one plane and no section was chosen.
 Pile plane_pile(const ChosenFrame& chosen, const PileOptions& options);
+/// @param[in] near see near_pairs(), @param[in] touching see pile_members()
+Pile plane_pile(const ChosenFrame& chosen, const PileOptions& options, NearPairs near,
+                const std::vector<PairContact>& touching);
+
+/// The contacts of all particles, where no gap is asked for that must wait for the pile's mean
+/// size: which particles belong to the pile is found faster with them.
+ContactNetwork early_contacts(const PileCommandOptions& options, const ParticleSet& set,
+                              const NearPairs& near);
 
 /// The fitted flank beside the wall, or both of a pile without a wall, the left one first.
 /// Throws InputError where the surface is too short.

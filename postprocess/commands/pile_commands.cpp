@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <mutex>
-#include <set>
 
 namespace ellipsoid::post {
 namespace {
@@ -36,12 +34,9 @@ int run_pile_command(const FrameOptions& options, const std::string& title,
 }
 
 void warn_of_digits(const ChosenFrame& chosen) {
-  static std::mutex mutex;
-  static std::set<std::string> warned_files; // once per file is enough
   const std::string warning = digits_warning(chosen.frame, chosen.set);
-  const std::lock_guard<std::mutex> lock(mutex);
-  if (!warning.empty() && warned_files.insert(chosen.frame.place.file).second)
-    report_warning(warning);
+  if (!warning.empty())
+    report_warning(warning, "digits of " + chosen.frame.place.file); // once per file is enough
 }
 
 } // namespace ellipsoid::post

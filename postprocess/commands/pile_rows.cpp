@@ -13,13 +13,14 @@ std::int64_t whole(std::size_t n) { return static_cast<std::int64_t>(n); }
 
 } // namespace
 
-void append_pile(Row& row, const ParticleSet& set, const Pile& pile, const PileOptions& options) {
+void append_pile(Row& row, const ParticleSet& set, const PileBody& pile,
+                 const PileOptions& options) {
   append_surface(row, set);
   const bool is_true = options.outline == OutlineKind::true_shape;
   row.push_back({"outline", "outline", "", std::string(is_true ? "true" : "ellipse")});
   row.push_back({"particles", "particles of the pile", "", whole(pile.members.size())});
   row.push_back({"strays", "particles outside the pile", "", whole(pile.strays)});
-  row.push_back({"pile_height_m", "height", "m", pile.surface.summit().y() - options.floor});
+  row.push_back({"pile_height_m", "height", "m", pile.top - options.floor});
   row.push_back({"pile_length_m", "length", "m", pile.right - pile.left});
 }
 

@@ -13,7 +13,8 @@ namespace ellipsoid::post {
 
 /// "smooth", "multisphere" or "mixed", and the number of sub-spheres: the groups of summaries.
 void append_surface(Row& row, const ParticleSet& set);
-void append_pile(Row& row, const ParticleSet& set, const Pile& pile, const PileOptions& options);
+void append_pile(Row& row, const ParticleSet& set, const PileBody& pile,
+                 const PileOptions& options);
 /// The flank beside a wall, or the mean of two flanks (left, right) and each of them.
 void append_flanks(Row& row, const std::vector<ReposeAngle>& flanks);
 void append_porosity(Row& row, const Porosity& porosity);

@@ -31,26 +31,25 @@ class CellGrid {
       sort_cells(cells);
   }
 
-  /// Calls visit(j) for every ball j > i that overlaps ball i. Candidates are first put into a row
-  /// without branches, which no processor could predict.
-  template <class Visitor> void for_later_neighbours(std::size_t i, const Visitor& visit) {
-    const Vector3 centre = m_centres[i];
-    const double radius = m_radii[i];
-    std::size_t found = 0;
-    for (std::size_t k = 0; k < column_count; ++k) {
-      const auto [begin, end] = column(m_cell_of_ball[i], k);
-      m_found.resize(std::max(m_found.size(), found + (end - begin) + 1));
-      for (std::size_t place = begin; place < end; ++place) {
-        const Placed& other = m_placed[place];
-        const Vector3 d = other.centre - centre;
-        const double reach = radius + other.radius;
-        m_found[found] = other.index;
-        found += static_cast<std::size_t>(other.index > i) &
-                 static_cast<std::size_t>(dot(d, d) <= reach * reach);
+  /// Calls visit(i, j) once for every pair of balls that overlap, i < j. Candidates are first put
+  /// into a row without branches, which no processor could predict.
+  template <class Visitor> void for_pairs(const Visitor& visit) {
+    constexpr std::size_t own = 4, above_in_z = 5, above_in_x = 6, above_in_x_flat = 7;
+    for (std::size_t place = 0; place < m_placed.size(); ++place) {
+      const Placed& ball = m_placed[place];
+      const std::size_t home = m_cell_of_ball[ball.index];
+      // half of the neighbours: those behind the ball in its own column, and the columns behind
+      std::size_t found = scan(ball, {place + 1, column(home, own).second}, 0);
+      if (m_is_flat) {
+        found = scan(ball, column(home, above_in_x_flat), found);
+      } else {
+        found = scan(ball, column(home, above_in_z), found);
+        for (std::size_t k = above_in_x; k < column_count; ++k)
+          found = scan(ball, column(home, k), found);
       }
+      for (std::size_t k = 0; k < found; ++k)
+        visit(std::min(ball.index, m_found[k]), std::max(ball.index, m_found[k]));
     }
-    for (std::size_t k = 0; k < found; ++k)
-      visit(m_found[k]);
   }
 
  private:
@@ -96,6 +95,7 @@ class CellGrid {
       return static_cast<std::size_t>(to - from + 3);
     };
     const std::size_t most = 1000 + 20 * cells.size();
+    m_is_flat = lower.z == upper.z;
     m_step_z = along(lower.y, upper.y);
     m_step_x = m_step_z * along(lower.z, upper.z); // at most 4e12: no overflow
     if (m_step_x > most || m_step_x * along(lower.x, upper.x) > most)
@@ -132,6 +132,24 @@ class CellGrid {
     double radius;
     std::size_t index;
   };
+
+  /// Adds the balls in a run of places that overlap one to those found.
+  /// @return number of those found
+  std::size_t scan(const Placed& ball, const Places& places, std::size_t found) {
+    const auto [begin, end] = places;
+    if (m_found.size() < found + (end - begin) + 1)
+      m_found.resize(2 * (found + (end - begin) + 1));
+    const Vector3 centre = ball.centre;
+    const double radius = ball.radius;
+    for (std::size_t place = begin; place < end; ++place) {
+      const Placed& other = m_placed[place];
+      const Vector3 d = other.centre - centre;
+      const double reach = radius + other.radius;
+      m_found[found] = other.index;
+      found += static_cast<std::size_t>(dot(d, d) <= reach * reach);
+    }
+    return found;
+  }
 
   /// Fills for each cell where the balls of its columns are. Keys only grow from cell to cell, so
   /// each column's place does.
@@ -182,11 +200,12 @@ class CellGrid {
   std::vector<Placed> m_placed;            ///< balls, cell by cell
   std::vector<std::size_t> m_cell_of_ball; ///< number of its cell, or index into m_columns
   // numbered cells
+  bool m_is_flat = false;                 ///< one cell along z
   std::size_t m_step_x = 0, m_step_z = 0; ///< from a cell to the next one along x, z
   std::vector<std::size_t> m_starts;      ///< of each cell in m_placed
   // sorted cells
   std::vector<Ball> m_balls;
-  std::vector<Columns> m_columns; ///< of the cells that are not empty
+  std::vector<Columns> m_columns;   ///< of the cells that are not empty
   std::vector<std::size_t> m_found; ///< neighbours of a ball
 };
 

@@ -4,10 +4,12 @@
 #include "cell_grid.h"
 #include "contact_batch.h"
 #include "disjoint_sets.h"
+#include "first_look.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace ellipsoid::post {
 namespace {
@@ -15,8 +17,23 @@ namespace {
 /// Bodies of one particle for the search: its ellipsoid, or its spheres.
 struct SearchBodies {
   std::vector<EllipsoidShape> smooth; ///< by particle; unused for multi-sphere particles
-  std::vector<Vector3> centres;       ///< of the bounding balls
-  std::vector<double> radii;
+  std::vector<Vector3> centres;
+  std::vector<char> is_smooth;
+  std::vector<double> inner_radii; ///< of balls inside the ellipsoids
+
+  /// Whether a look at the centres tells that two ellipsoids touch.
+  bool surely_touch(const NearPairs::Pair& pair) const {
+    const Vector3 d = centres[pair.second] - centres[pair.first];
+    const double reach = inner_radii[pair.first] + inner_radii[pair.second];
+    return dot(d, d) < reach * reach;
+  }
+  bool are_smooth(const NearPairs::Pair& pair) const {
+    return is_smooth[pair.first] && is_smooth[pair.second];
+  }
+  void add_to(FirstLookBatch& looks, const NearPairs::Pair& pair) const {
+    const auto [i, j] = pair;
+    looks.add(smooth[i], smooth[j], centres[j] - centres[i]);
+  }
 };
 
 double bounding_radius(const ParticleSet& set, const Particle& p) {
@@ -29,52 +46,18 @@ double bounding_radius(const ParticleSet& set, const Particle& p) {
 }
 
 SearchBodies search_bodies(const ParticleSet& set, double gap) {
+  constexpr double well_inside = 1.0 - 1.0e-6; // far above rounding
   SearchBodies bodies;
   bodies.smooth.reserve(set.particles.size());
   bodies.centres.reserve(set.particles.size());
-  bodies.radii.reserve(set.particles.size());
   const Vector3 half_gap{0.5 * gap, 0.5 * gap, 0.5 * gap};
   for (const Particle& p : set.particles) {
     bodies.smooth.push_back(make_shape(p.semiaxes + half_gap, p.orientation));
     bodies.centres.push_back(p.centre);
-    bodies.radii.push_back(bounding_radius(set, p) + 0.5 * gap);
+    bodies.is_smooth.push_back(p.is_smooth());
+    bodies.inner_radii.push_back(p.is_smooth() ? well_inside * p.smallest_axis() : 0.0);
   }
   return bodies;
-}
-
-/// What one look at two ellipsoids tells, before any search.
-struct FirstLook {
-  bool are_apart = false; ///< proved by `normal`
-  bool touch = false;     ///< proved by a point inside both
-  // the rest is not set where they are apart
-  Vector3 normal;           ///< unit, from i to j: near the contact's
-  double next_lambda = 0.5; ///< nearer to the maximum of the function
-};
-
-/// The function of Perram and Wertheim (1985, J. Comput. Phys. 58, 409) at one lambda: with
-/// y = ((1 - lambda) A_i + lambda A_j)^-1 d the point x_i + (1 - lambda) A_i y lies at the levels
-/// (1 - lambda)^2 s_i(y)^2 and lambda^2 s_j(y)^2 of the bodies (1: surface), and y is the normal
-/// of a plane that separates them when s_i(y) + s_j(y) < y.d.
-FirstLook first_look(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& d,
-                     double lambda) {
-  // far above the rounding of the most slender bodies that are read (aspect ratio 1e4)
-  constexpr double well_inside = 1.0 - 1.0e-6;
-  const SymmetricMatrix3 g = (1.0 - lambda) * i.a_matrix + lambda * j.a_matrix;
-  const SymmetricMatrix3 adjugate{g.yy * g.zz - g.yz * g.yz, g.xx * g.zz - g.xz * g.xz,
-                                  g.xx * g.yy - g.xy * g.xy, g.xz * g.yz - g.xy * g.zz,
-                                  g.xy * g.yz - g.xz * g.yy, g.xy * g.xz - g.yz * g.xx};
-  const Vector3 y = adjugate * d; // times the determinant
-  const double s_i = support(i, y), s_j = support(j, y);
-  FirstLook look;
-  look.are_apart = s_i + s_j < dot(y, d);
-  if (look.are_apart)
-    return look;
-  const double determinant = g.xx * adjugate.xx + g.xy * adjugate.xy + g.xz * adjugate.xz;
-  look.touch = std::max((1.0 - lambda) * s_i, lambda * s_j) < well_inside * determinant;
-  look.next_lambda = s_i + s_j > 0.0 ? s_i / (s_i + s_j) : lambda;
-  const double length = norm(y);
-  look.normal = length > 0.0 ? (1.0 / length) * y : Vector3{1.0, 0.0, 0.0};
-  return look;
 }
 
 EllipsoidShape enlarged_ball(const Sphere& sphere, double gap) {
@@ -92,9 +75,9 @@ bool ellipsoids_touch(const EllipsoidShape& i, const EllipsoidShape& j, const Ve
   constexpr int most_looks = 4; // the next step is the search itself
   FirstLook look;
   for (int k = 0; k < most_looks; ++k) {
-    look = first_look(i, j, distance, look.next_lambda);
+    look = first_look(i.a_matrix, j.a_matrix, distance, look.next_lambda);
     if (look.are_apart || look.touch)
-      return look.touch;
+      return !look.are_apart;
   }
   const ContactGeometry found = find_contact(i, j, distance);
   return found.status != ContactStatus::separated && found.overlap >= 0.0;
@@ -133,13 +116,17 @@ class PairFinder {
              ContactNetwork& network)
       : m_set(set), m_bodies(bodies), m_gap(gap), m_network(network) {}
 
-  void find(std::size_t i, std::size_t j) {
-    const Particle &p = m_set.particles[i], &q = m_set.particles[j];
-    if (p.is_smooth() && q.is_smooth()) {
-      ellipsoids(i, j);
+  void find(const NearPairs::Pair& pair) {
+    if (m_bodies.are_smooth(pair)) {
+      m_looked_at[static_cast<std::size_t>(m_looks.size())] = pair;
+      m_bodies.add_to(m_looks, pair);
+      if (m_looks.full())
+        look_at_waiting();
       return;
     }
     search_waiting();
+    const auto [i, j] = pair;
+    const Particle &p = m_set.particles[i], &q = m_set.particles[j];
     const std::size_t first = m_network.contacts.size();
     if (p.is_smooth())
       ellipsoid_and_spheres(i, q, 1.0);
@@ -152,27 +139,17 @@ class PairFinder {
 
   /// To be called after the last pair.
   void search_waiting() {
-    m_batch.solve();
-    for (int k = 0; k < m_batch.size(); ++k) {
-      const auto [i, j] = m_waiting[static_cast<std::size_t>(k)];
-      const std::size_t first = m_network.contacts.size();
-      add_contact(settled(m_batch.geometry(k), m_bodies.smooth[i], m_bodies.smooth[j],
-                          m_bodies.centres[j] - m_bodies.centres[i]),
-                  m_bodies.centres[i], 1.0);
-      add_pair(i, j, first);
-    }
-    m_batch.clear();
+    look_at_waiting();
+    search_touching();
   }
 
  private:
-  /// Deep overlaps are searched anew from the best normal there is.
-  static ContactGeometry settled(const ContactGeometry& found, const EllipsoidShape& i,
-                                 const EllipsoidShape& j, const Vector3& distance) {
-    const bool is_certain =
-        found.status == ContactStatus::separated ||
-        (found.status == ContactStatus::touching &&
-         found.overlap <= i.smallest_curvature_radius + j.smallest_curvature_radius);
-    return is_certain ? found : find_contact(i, j, distance);
+  /// False for deep overlaps: they are to be searched anew from the best normal there is.
+  static bool is_settled(const ContactGeometry& found, const EllipsoidShape& i,
+                         const EllipsoidShape& j) {
+    return found.status == ContactStatus::separated ||
+           (found.status == ContactStatus::touching &&
+            found.overlap <= i.smallest_curvature_radius + j.smallest_curvature_radius);
   }
 
   void add_pair(std::size_t i, std::size_t j, std::size_t first) {
@@ -188,15 +165,36 @@ class PairFinder {
     return largest;
   }
 
-  void ellipsoids(std::size_t i, std::size_t j) {
-    const Vector3 distance = m_bodies.centres[j] - m_bodies.centres[i];
-    const FirstLook look = first_look(m_bodies.smooth[i], m_bodies.smooth[j], distance, 0.5);
-    if (look.are_apart)
-      return;
-    m_waiting[static_cast<std::size_t>(m_batch.size())] = {i, j};
-    m_batch.add(m_bodies.smooth[i], m_bodies.smooth[j], distance, look.normal);
-    if (m_batch.full())
-      search_waiting();
+  /// Takes the pairs that are not apart to the search.
+  void look_at_waiting() {
+    m_looks.solve();
+    for (int k = 0; k < m_looks.size(); ++k) {
+      if (m_looks.are_apart(k))
+        continue;
+      const auto [i, j] = m_looked_at[static_cast<std::size_t>(k)];
+      m_waiting[static_cast<std::size_t>(m_batch.size())] = {i, j};
+      m_batch.add(m_bodies.smooth[i], m_bodies.smooth[j], m_looks.distance(k), m_looks.normal(k));
+      if (m_batch.full())
+        search_touching();
+    }
+    m_looks.clear();
+  }
+
+  void search_touching() {
+    m_batch.solve();
+    for (int k = 0; k < m_batch.size(); ++k) {
+      const auto [i, j] = m_waiting[static_cast<std::size_t>(k)];
+      const std::size_t first = m_network.contacts.size();
+      const ContactGeometry found = m_batch.geometry(k);
+      const EllipsoidShape &shape_i = m_bodies.smooth[i], &shape_j = m_bodies.smooth[j];
+      if (is_settled(found, shape_i, shape_j))
+        add_contact(found, m_bodies.centres[i], 1.0);
+      else
+        add_contact(find_contact(shape_i, shape_j, m_bodies.centres[j] - m_bodies.centres[i]),
+                    m_bodies.centres[i], 1.0);
+      add_pair(i, j, first);
+    }
+    m_batch.clear();
   }
 
   void add_contact(const ContactGeometry& found, const Vector3& centre_i, double sign) {
@@ -204,8 +202,12 @@ class PairFinder {
       ++m_network.not_converged;
     if (found.status == ContactStatus::separated || found.overlap < 0.0)
       return;
-    m_network.contacts.push_back(
-        {centre_i + found.point, sign * found.normal, found.overlap - m_gap});
+    // number by number: a contact that is copied right after its numbers were stored one by one
+    // keeps the processor waiting
+    Contact& contact = m_network.contacts.emplace_back();
+    contact.point = centre_i + found.point;
+    contact.normal = sign * found.normal;
+    contact.overlap = found.overlap - m_gap;
   }
 
   /// @param[in] sign 1 when the ellipsoid is the pair's first particle, else -1
@@ -214,9 +216,9 @@ class PairFinder {
       const Sphere& s = m_set.spheres[k];
       const Vector3 distance = s.centre - m_bodies.centres[smooth];
       const EllipsoidShape ball = enlarged_ball(s, m_gap);
-      if (!first_look(m_bodies.smooth[smooth], ball, distance, 0.5).are_apart)
-        add_contact(find_contact(m_bodies.smooth[smooth], ball, distance),
-                    m_bodies.centres[smooth], sign);
+      if (!first_look(m_bodies.smooth[smooth].a_matrix, ball.a_matrix, distance, 0.5).are_apart)
+        add_contact(find_contact(m_bodies.smooth[smooth], ball, distance), m_bodies.centres[smooth],
+                    sign);
     }
   }
 
@@ -240,43 +242,146 @@ class PairFinder {
   const SearchBodies& m_bodies;
   double m_gap;
   ContactNetwork& m_network;
+  FirstLookBatch m_looks;
+  std::array<NearPairs::Pair, FirstLookBatch::capacity> m_looked_at;
   ContactBatch m_batch;
-  std::array<std::pair<std::size_t, std::size_t>, ContactBatch::capacity> m_waiting;
+  std::array<NearPairs::Pair, ContactBatch::capacity> m_waiting;
 };
 
 } // namespace
 
-ContactNetwork find_contacts(const ParticleSet& set, double gap) {
-  const SearchBodies bodies = search_bodies(set, gap);
-  CellGrid grid(bodies.centres, bodies.radii);
-  ContactNetwork network;
-  PairFinder finder(set, bodies, gap, network);
-  std::vector<std::size_t> partners;
-  for (std::size_t i = 0; i < set.particles.size(); ++i) {
-    partners.clear();
-    grid.for_later_neighbours(i, [&](std::size_t j) { partners.push_back(j); });
-    std::sort(partners.begin(), partners.end());
-    for (const std::size_t j : partners)
-      finder.find(i, j);
+namespace {
+
+/// Pairs in the order of one of their particles, and else as they were: counted, not compared.
+/// @param[in] count of the particles
+std::vector<NearPairs::Pair> ordered(const std::vector<NearPairs::Pair>& pairs,
+                                     std::size_t NearPairs::Pair::*member, std::size_t count) {
+  std::vector<std::size_t> next(count + 1, 0); // place for the next pair of each particle
+  for (const NearPairs::Pair& pair : pairs)
+    ++next[pair.*member + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<NearPairs::Pair> result(pairs.size());
+  for (const NearPairs::Pair& pair : pairs)
+    result[next[pair.*member]++] = pair;
+  return result;
+}
+
+} // namespace
+
+NearPairs::NearPairs(const ParticleSet& set, double gap) : m_gap(gap) {
+  std::vector<Vector3> centres;
+  std::vector<double> radii;
+  centres.reserve(set.particles.size());
+  radii.reserve(set.particles.size());
+  for (const Particle& p : set.particles) {
+    centres.push_back(p.centre);
+    radii.push_back(bounding_radius(set, p) + 0.5 * gap);
   }
+  CellGrid grid(centres, radii);
+  std::vector<Pair> found;
+  found.reserve(8 * set.particles.size());
+  grid.for_pairs([&](std::size_t i, std::size_t j) { found.emplace_back(i, j); });
+  const std::size_t count = set.particles.size();
+  m_pairs = ordered(ordered(found, &Pair::second, count), &Pair::first, count);
+}
+
+ContactNetwork find_contacts(const ParticleSet& set, double gap) {
+  return find_contacts(set, gap, NearPairs(set, gap));
+}
+
+ContactNetwork find_contacts(const ParticleSet& set, double gap, const NearPairs& near) {
+  if (gap > near.gap())
+    return find_contacts(set, gap);
+  const SearchBodies bodies = search_bodies(set, gap);
+  ContactNetwork network;
+  network.pairs.reserve(near.pairs().size());
+  network.contacts.reserve(near.pairs().size());
+  PairFinder finder(set, bodies, gap, network);
+  for (const NearPairs::Pair& pair : near.pairs())
+    finder.find(pair);
   finder.search_waiting();
   return network;
 }
 
-std::vector<std::size_t> touching_clusters(const ParticleSet& set, double gap) {
-  const SearchBodies bodies = search_bodies(set, gap);
-  CellGrid grid(bodies.centres, bodies.radii);
-  const std::size_t count = set.particles.size();
-  DisjointSets clusters(count);
-  for (std::size_t i = 0; i < count; ++i)
-    grid.for_later_neighbours(i, [&](std::size_t j) {
-      if (clusters.root(i) != clusters.root(j) && particles_touch(set, bodies, gap, i, j))
-        clusters.join(i, j);
-    });
-  std::vector<std::size_t> roots(count);
-  for (std::size_t i = 0; i < count; ++i)
-    roots[i] = clusters.root(i);
-  return roots;
+namespace {
+
+/// Joins particles that touch. Pairs of ellipsoids wait for their first looks until there are
+/// enough of them.
+class ClusterFinder {
+ public:
+  ClusterFinder(const ParticleSet& set, double gap)
+      : m_set(set), m_bodies(search_bodies(set, gap)), m_gap(gap),
+        m_clusters(set.particles.size()) {}
+
+  void find(const NearPairs::Pair& pair) {
+    if (are_joined(pair))
+      return;
+    if (!m_bodies.are_smooth(pair)) {
+      search(pair);
+      return;
+    }
+    if (m_bodies.surely_touch(pair)) {
+      join(pair);
+      return;
+    }
+    m_waiting[static_cast<std::size_t>(m_looks.size())] = pair;
+    m_bodies.add_to(m_looks, pair);
+    if (m_looks.full())
+      look_at_waiting();
+  }
+
+  /// A pair that touches.
+  void join(const NearPairs::Pair& pair) { m_clusters.join(pair.first, pair.second); }
+
+  /// To be called after the last pair. Clusters by the smallest index in them.
+  std::vector<std::size_t> clusters() {
+    look_at_waiting();
+    std::vector<std::size_t> roots(m_set.particles.size());
+    for (std::size_t i = 0; i < roots.size(); ++i)
+      roots[i] = m_clusters.root(i);
+    return roots;
+  }
+
+ private:
+  bool are_joined(const NearPairs::Pair& pair) {
+    return m_clusters.are_joined(pair.first, pair.second);
+  }
+  void search(const NearPairs::Pair& pair) {
+    if (particles_touch(m_set, m_bodies, m_gap, pair.first, pair.second))
+      join(pair);
+  }
+  void look_at_waiting() {
+    m_looks.solve();
+    for (int k = 0; k < m_looks.size(); ++k) {
+      const NearPairs::Pair& pair = m_waiting[static_cast<std::size_t>(k)];
+      if (m_looks.are_apart(k))
+        continue;
+      if (m_looks.touch(k))
+        join(pair);
+      else if (!are_joined(pair))
+        search(pair);
+    }
+    m_looks.clear();
+  }
+
+  const ParticleSet& m_set;
+  SearchBodies m_bodies;
+  double m_gap;
+  DisjointSets m_clusters;
+  FirstLookBatch m_looks;
+  std::array<NearPairs::Pair, FirstLookBatch::capacity> m_waiting;
+};
+
+} // namespace
+
+std::vector<std::size_t> touching_clusters(const ParticleSet& set, const NearPairs& near,
+                                           const std::vector<PairContact>& touching) {
+  ClusterFinder finder(set, near.gap());
+  for (const PairContact& pair : touching)
+    finder.join({pair.i, pair.j});
+  for (const NearPairs::Pair& pair : near.pairs())
+    finder.find(pair);
+  return finder.clusters();
 }
 
 std::vector<double> wall_overlaps(const ParticleSet& set, std::size_t particle,

@@ -5,6 +5,7 @@
 
 #include "particles.h"
 
+#include <utility>
 #include <vector>
 
 namespace ellipsoid::post {
@@ -29,14 +30,35 @@ struct ContactNetwork {
   std::size_t not_converged = 0; ///< contacts whose search hit its iteration limit
 };
 
+/// The pairs of particles that come near each other, found once for several searches.
+class NearPairs {
+ public:
+  using Pair = std::pair<std::size_t, std::size_t>; ///< indices of the set, the smaller one first
+
+  NearPairs() = default;
+  /// Those whose bounding balls, enlarged by gap / 2 each, overlap, in ascending order.
+  NearPairs(const ParticleSet& set, double gap);
+  double gap() const { return m_gap; }
+  const std::vector<Pair>& pairs() const { return m_pairs; }
+
+ private:
+  double m_gap = 0.0; ///< (length)
+  std::vector<Pair> m_pairs;
+};
+
 /// All contacts between particles. Two bodies touch when the kernel's overlap is h >= 0; with a
 /// gap > 0 all semi-axes and radii are first enlarged by gap / 2 (the overlap is then that of
 /// the enlarged bodies minus gap).
 ContactNetwork find_contacts(const ParticleSet& set, double gap);
+/// @param[in] near of the same set; useful when its gap is not smaller
+ContactNetwork find_contacts(const ParticleSet& set, double gap, const NearPairs& near);
 
 /// The cluster of every particle, by the smallest index in it: particles belong together when they
 /// touch as in find_contacts(), or are connected by particles that do. Faster than the contacts.
-std::vector<std::size_t> touching_clusters(const ParticleSet& set, double gap);
+/// The gap is that of the near pairs.
+/// @param[in] touching pairs that are known to touch, if any
+std::vector<std::size_t> touching_clusters(const ParticleSet& set, const NearPairs& near,
+                                           const std::vector<PairContact>& touching = {});
 
 /// A plane wall: bodies are on the side into which `inward` points.
 struct PlaneWall {

@@ -19,6 +19,9 @@ class DisjointSets {
       i = m_parent[i] = m_parent[m_parent[i]];
     return i;
   }
+  bool are_joined(std::size_t i, std::size_t j) {
+    return m_parent[i] == m_parent[j] || root(i) == root(j);
+  }
   void join(std::size_t i, std::size_t j) {
     const std::size_t p = root(i), q = root(j);
     m_parent[std::max(p, q)] = std::min(p, q);

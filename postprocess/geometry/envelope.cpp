@@ -2,11 +2,13 @@
 #include "envelope.h"
 
 #include "cell_grid.h"
-#include "outline_crossings.h"
+#include "lens_batch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ellipsoid::post {
 namespace {
@@ -99,12 +101,51 @@ void UpperEnvelope::keep_surface_arcs(const std::vector<PlaneEllipse>& outlines)
     if (shape)
       bound.raise(*shape);
   for (const PlaneEllipse& shape : outlines)
-    if (!bound.hides(shape))
+    if (!bound.hides(shape)) {
       bound.raise(shape);
-  for (const PlaneEllipse& shape : outlines)
-    if (!bound.hides(shape))
       m_arcs.push_back(shape);
+    }
+  m_arcs.erase(std::remove_if(m_arcs.begin(), m_arcs.end(),
+                              [&](const PlaneEllipse& shape) { return bound.hides(shape); }),
+               m_arcs.end());
 }
+
+/// Abscissas of the crossings of outlines.
+class UpperEnvelope::CrossingPoints {
+ public:
+  CrossingPoints(const std::vector<PlaneEllipse>& arcs, std::vector<double>& abscissas)
+      : m_arcs(arcs), m_abscissas(abscissas) {}
+
+  void find(std::size_t i, std::size_t j) {
+    m_waiting[static_cast<std::size_t>(m_batch.size())] = {i, j};
+    m_batch.add(m_arcs[i], m_arcs[j]);
+    if (m_batch.full())
+      look_at_waiting();
+  }
+
+  /// To be called after the last pair.
+  void look_at_waiting() {
+    m_batch.solve();
+    for (int k = 0; k < m_batch.size(); ++k) {
+      const auto [i, j] = m_waiting[static_cast<std::size_t>(k)];
+      const PlaneEllipse& arc = m_arcs[i];
+      const LensBatch::Verdict verdict = m_batch.verdict(k);
+      if (verdict == LensBatch::Verdict::lens)
+        for (const ArcEnd& end : {m_batch.of_i(k).begin, m_batch.of_i(k).end})
+          m_abscissas.push_back(arc.centre.x() + arc.ux * end.cosine);
+      else if (verdict == LensBatch::Verdict::unknown)
+        for (const double t : crossings(arc, m_arcs[j]))
+          m_abscissas.push_back(arc.at(t).x());
+    }
+    m_batch.clear();
+  }
+
+ private:
+  const std::vector<PlaneEllipse>& m_arcs;
+  std::vector<double>& m_abscissas;
+  LensBatch m_batch;
+  std::array<std::pair<std::size_t, std::size_t>, LensBatch::capacity> m_waiting;
+};
 
 /// Abscissas between which the highest arc cannot change: arc ends and crossings of arcs.
 std::vector<double> UpperEnvelope::breakpoints() const {
@@ -117,11 +158,9 @@ std::vector<double> UpperEnvelope::breakpoints() const {
     result.push_back(arc.right());
   }
   CellGrid grid(centres, radii);
-  for (std::size_t i = 0; i < m_arcs.size(); ++i)
-    grid.for_later_neighbours(i, [&](std::size_t j) {
-      for (const double t : crossings(m_arcs[j], m_arcs[i]))
-        result.push_back(m_arcs[j].at(t).x());
-    });
+  CrossingPoints points(m_arcs, result);
+  grid.for_pairs([&](std::size_t i, std::size_t j) { points.find(j, i); });
+  points.look_at_waiting();
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
@@ -163,6 +202,22 @@ double UpperEnvelope::height(double x) const {
   if (it == m_pieces.end() || x < it->begin || it->arc == no_arc)
     return m_floor;
   return m_arcs[it->arc].upper(x);
+}
+
+std::vector<double> UpperEnvelope::heights(const std::vector<double>& abscissas) const {
+  std::vector<double> result(abscissas.size(), m_floor);
+  std::size_t k = 0;
+  const auto pass = [&](double end) {
+    while (k < abscissas.size() && abscissas[k] < end)
+      ++k;
+    return k;
+  };
+  for (const Piece& piece : m_pieces) {
+    const std::size_t begin = pass(piece.begin), end = pass(piece.end);
+    if (piece.arc != no_arc)
+      m_arcs[piece.arc].upper(abscissas.data() + begin, end - begin, result.data() + begin);
+  }
+  return result;
 }
 
 double UpperEnvelope::area(double x0, double x1) const {

@@ -16,12 +16,12 @@ class UpperEnvelope {
 
   /// y_max(x) (length).
   double height(double x) const;
+  /// The same at many abscissas, ascending.
+  std::vector<double> heights(const std::vector<double>& abscissas) const;
   /// Area between floor and envelope from x0 to x1, closed form arc by arc (length^2).
   double area(double x0, double x1) const;
   /// Largest ordinate, and its abscissa (length).
   Point summit() const { return m_summit; }
-  double left() const { return m_pieces.empty() ? 0.0 : m_pieces.front().begin; }
-  double right() const { return m_pieces.empty() ? 0.0 : m_pieces.back().end; }
   /// Particles that own a part of the surface, ascending.
   std::vector<std::size_t> owners() const;
 
@@ -32,6 +32,7 @@ class UpperEnvelope {
   };
   static constexpr std::size_t no_arc = static_cast<std::size_t>(-1);
 
+  class CrossingPoints;
   class SurfaceBound;
 
   void keep_surface_arcs(const std::vector<PlaneEllipse>& outlines);

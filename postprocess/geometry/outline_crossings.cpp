@@ -79,17 +79,18 @@ struct Root {
 /// rounding for angles below 0.05.
 void turn(double angle, double& cosine, double& sine) {
   const double squared = angle * angle;
-  const double c = 1.0 - squared / 2.0 * (1.0 - squared / 12.0 * (1.0 - squared / 30.0 *
-                                                                  (1.0 - squared / 56.0)));
+  const double c =
+      1.0 -
+      squared / 2.0 * (1.0 - squared / 12.0 * (1.0 - squared / 30.0 * (1.0 - squared / 56.0)));
   const double s = angle * (1.0 - squared / 6.0 * (1.0 - squared / 20.0 * (1.0 - squared / 42.0)));
   const double turned = cosine * c - sine * s;
   sine = sine * c + cosine * s;
   cosine = turned;
 }
 
-/// Root in an interval in which f changes its sign and is monotone: the parabola of value, slope and
-/// curvature is solved again and again, kept within the shrinking bracket. A step's error is about
-/// bound step^3 / (3 slope).
+/// Root in an interval in which f changes its sign and is monotone: the parabola of value, slope
+/// and curvature is solved again and again, kept within the shrinking bracket. A step's error is
+/// about bound step^3 / (3 slope).
 Root bracketed_root(const TrigonometricPolynomial& f, double bound, double begin, double end,
                     const Sample& start, bool rises) {
   constexpr double small_turn = 0.05, largest_error = 1.0e-17;
@@ -194,8 +195,10 @@ bool are_apart(const PlaneEllipse& i, const PlaneEllipse& j) {
   return beyond > 0.0 && beyond * beyond > pd * pd + qd * qd;
 }
 
-/// Appends the arc from a root to the next one at parameter `end`, cut at 2 pi, where f < 0; lenses
-/// with a chord below `limit` are left out.
+ArcEnd arc_end(double cosine, double sine) { return {turn_of(cosine, sine), cosine, sine}; }
+
+/// Appends the arc from a root to the next one at parameter `end` where f < 0; lenses with a chord
+/// below `limit` are left out.
 void append_arc(const Root& begin, const Root& next, double end, const PlaneEllipse& i,
                 double limit, std::vector<ArcInterval>& result) {
   if (begin.rises || end <= begin.t)
@@ -204,16 +207,14 @@ void append_arc(const Root& begin, const Root& next, double end, const PlaneElli
   if (end - begin.t < 0.5 &&
       Point(i.ux * cosine, i.uy * cosine + i.vy * sine).squaredNorm() < limit * limit)
     return;
-  result.push_back({begin.t, std::min(end, two_pi)});
-  if (end > two_pi)
-    result.push_back({0.0, end - two_pi});
+  result.push_back({arc_end(begin.cosine, begin.sine), arc_end(next.cosine, next.sine)});
 }
 
 /// Appends the parts of an outline where f < 0, between its ascending roots.
 void append_negative(const TrigonometricPolynomial& f, const std::vector<Root>& roots,
                      const PlaneEllipse& i, double limit, std::vector<ArcInterval>& result) {
   if (roots.empty() && f.at(1.0, 0.0).value < 0.0 && f.value(1.0) < 0.0)
-    result.push_back({0.0, two_pi});
+    result.push_back({turn_begin, turn_end});
   for (std::size_t k = 0; k + 1 < roots.size(); ++k)
     append_arc(roots[k], roots[k + 1], roots[k + 1].t, i, limit, result);
   if (!roots.empty())
@@ -256,6 +257,42 @@ std::vector<Root> seen_from_other(const std::vector<Root>& roots, const PlaneEll
 
 } // namespace
 
+double turn_of(double cosine, double sine) {
+  const double r = sine / (std::abs(cosine) + std::abs(sine));
+  return cosine < 0.0 ? 2.0 - r : r >= 0.0 ? r : 4.0 + r;
+}
+
+namespace {
+
+/// The angle from one direction to another (rad), from 0 to 2 pi.
+double angle_between(const ArcEnd& begin, const ArcEnd& end) {
+  const double sine = begin.cosine * end.sine - begin.sine * end.cosine;
+  const double cosine = begin.cosine * end.cosine + begin.sine * end.sine;
+  const double turn = end.turn - begin.turn;
+  const double squared = sine * sine;
+  if (cosine > 0.0 && squared < 0.01 && turn < 2.0) { // arc sine by its series, to rounding
+    double sum = 0.0;
+    for (const double share : {143.0 / 10240.0, 231.0 / 13312.0, 63.0 / 2816.0, 35.0 / 1152.0,
+                               5.0 / 112.0, 3.0 / 40.0, 1.0 / 6.0, 1.0})
+      sum = share + squared * sum;
+    return sine * sum;
+  }
+  const double angle = std::atan2(sine, cosine);
+  const bool is_beyond = (angle < 0.0 && turn > 1.0) || (angle < 1.0 && turn > 3.0);
+  return is_beyond ? angle + two_pi : angle;
+}
+
+} // namespace
+
+double green(const PlaneEllipse& shape, const ArcInterval& arc) {
+  const auto& [begin, end] = arc;
+  if (begin.turn == turn_begin.turn && end.turn == turn_end.turn)
+    return shape.area();
+  const double cosine = end.cosine - begin.cosine, sine = end.sine - begin.sine;
+  const Point along(shape.ux * cosine, shape.uy * cosine + shape.vy * sine);
+  return 0.5 * (shape.ux * shape.vy * angle_between(begin, end) + cross(shape.centre, along));
+}
+
 std::vector<double> crossings(const PlaneEllipse& i, const PlaneEllipse& j) {
   if (are_apart(i, j) || are_apart(j, i))
     return {};
@@ -273,7 +310,7 @@ void append_covered(const PlaneEllipse& i, const PlaneEllipse& j, std::vector<Ar
     return;
   const TrigonometricPolynomial along_i = level_along(i, j);
   if (along_i.size() < same_outline) {
-    of_j.push_back({0.0, two_pi});
+    of_j.push_back({turn_begin, turn_end});
     return;
   }
   const double limit = shortest_chord * std::min(i.bounding_radius(), j.bounding_radius());
@@ -285,27 +322,27 @@ void append_covered(const PlaneEllipse& i, const PlaneEllipse& j, std::vector<Ar
 
 void append_beyond_line(const PlaneEllipse& i, const Point& normal, double offset,
                         std::vector<ArcInterval>& of_i) {
-  TrigonometricPolynomial f; // offset - normal . p(t): negative beyond
-  f.k = offset - normal.dot(i.centre);
-  f.c1 = -(normal.x() * i.ux + normal.y() * i.uy);
-  f.s1 = -normal.y() * i.vy;
-  if (f.k * f.k < f.c1 * f.c1 + f.s1 * f.s1)
-    append_negative(f, roots_of(f), i, shortest_chord * i.bounding_radius(), of_i);
-  else if (f.k < 0.0)
-    of_i.push_back({0.0, two_pi});
-}
-
-void join(std::vector<ArcInterval>& intervals) {
-  std::sort(intervals.begin(), intervals.end(),
-            [](const ArcInterval& a, const ArcInterval& b) { return a.begin < b.begin; });
-  std::size_t kept = 0;
-  for (const ArcInterval& next : intervals) {
-    if (kept > 0 && next.begin <= intervals[kept - 1].end)
-      intervals[kept - 1].end = std::max(intervals[kept - 1].end, next.end);
-    else
-      intervals[kept++] = next;
+  // offset - normal . p(t) = k + c cos t + s sin t is negative beyond: about the direction m of
+  // -(c, s) it is k - L cos(t - m)
+  const double k = offset - normal.dot(i.centre);
+  const double c = -(normal.x() * i.ux + normal.y() * i.uy), s = -normal.y() * i.vy;
+  const double wave = std::sqrt(c * c + s * s);
+  if (!(std::abs(k) < wave)) {
+    if (k < 0.0)
+      of_i.push_back({turn_begin, turn_end});
+    return;
   }
-  intervals.resize(kept);
+  const double cos_w = k / wave, sin_w = std::sqrt((wave - k) * (wave + k)) / wave;
+  const Point m(-c / wave, -s / wave),
+      begin(m.x() * cos_w + m.y() * sin_w, m.y() * cos_w - m.x() * sin_w);
+  const Point end(m.x() * cos_w - m.y() * sin_w, m.y() * cos_w + m.x() * sin_w);
+  const Point along = end - begin;
+  const double limit = shortest_chord * i.bounding_radius();
+  const bool is_small =
+      cos_w > 0.0 &&
+      Point(i.ux * along.x(), i.uy * along.x() + i.vy * along.y()).squaredNorm() < limit * limit;
+  if (!is_small)
+    of_i.push_back({arc_end(begin.x(), begin.y()), arc_end(end.x(), end.y())});
 }
 
 } // namespace ellipsoid::post

@@ -21,6 +21,12 @@ double PlaneEllipse::upper(double x) const {
   return centre.y() + uy * cosine + vy * std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
 }
 
+void PlaneEllipse::upper(const double* x, std::size_t count, double* y) const {
+  const PlaneEllipse own = *this; // y might be a part of this for all the compiler knows
+  for (std::size_t k = 0; k < count; ++k)
+    y[k] = own.upper(x[k]);
+}
+
 double PlaneEllipse::area_under_upper(double x0, double x1) const {
   const double c0 = std::clamp((x0 - centre.x()) / ux, -1.0, 1.0);
   const double c1 = std::clamp((x1 - centre.x()) / ux, -1.0, 1.0);
@@ -30,12 +36,6 @@ double PlaneEllipse::area_under_upper(double x0, double x1) const {
   };
   return ux * (centre.y() * (c1 - c0) + 0.5 * uy * (c1 * c1 - c0 * c0) +
                vy * (half_disc(c1) - half_disc(c0)));
-}
-
-double PlaneEllipse::green(double t0, double t1) const {
-  if (t0 == 0.0 && t1 == 2.0 * pi)
-    return area();
-  return 0.5 * (ux * vy * (t1 - t0) + cross(centre, at(t1) - at(t0)));
 }
 
 double PlaneEllipse::area() const { return pi * ux * vy; }

@@ -26,11 +26,10 @@ struct PlaneEllipse {
   Point at(double t) const;
   /// Ordinate of the upper arc at abscissa x; x within centre.x +- ux.
   double upper(double x) const;
+  /// The same at `count` abscissas.
+  void upper(const double* x, std::size_t count, double* y) const;
   /// Integral of the upper arc's ordinate from x0 to x1, closed form (length^2).
   double area_under_upper(double x0, double x1) const;
-  /// 1/2 of the line integral of x dy - y dx over the arc from t0 to t1 (length^2): the arc's
-  /// share of an area by Green's theorem.
-  double green(double t0, double t1) const;
   double area() const; ///< pi ux vy (length^2)
   double left() const { return centre.x() - ux; }
   double right() const { return centre.x() + ux; }

@@ -2,15 +2,15 @@
 #include "union_area.h"
 
 #include "cell_grid.h"
-#include "outline_crossings.h"
+#include "lens_batch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace ellipsoid::post {
 namespace {
-
-constexpr double two_pi = 2.0 * 3.141592653589793238462643;
 
 /// Edge of the region from `begin` to `end`; outside is where outward . p > offset.
 struct Edge {
@@ -31,22 +31,21 @@ std::vector<Edge> edges_of(const ConvexPolygon& region) {
   return edges;
 }
 
-/// Visits the parts of [0, whole] that the intervals leave free (they are joined on the way).
-template <class Visitor>
-void for_uncovered(std::vector<ArcInterval>& covered, double whole, const Visitor& visit) {
-  join(covered);
-  double begin = 0.0;
-  for (const ArcInterval& arc : covered) {
-    if (arc.begin > begin)
-      visit(begin, arc.begin);
-    begin = std::max(begin, arc.end);
-  }
-  if (whole > begin)
-    visit(begin, whole);
+/// Area of an outline that is left when the shares of hidden arcs are taken away (they are joined
+/// on the way).
+double free_share(const PlaneEllipse& shape, std::vector<ArcInterval>& hidden) {
+  join(hidden);
+  double share = shape.area();
+  for (const ArcInterval& arc : hidden)
+    share -= green(shape, arc);
+  return share;
 }
 
+/// Part of an edge: from begin + s (end - begin) at the one s to the other.
+using EdgeInterval = Interval<double>;
+
 /// Share of the segment begin + s (end - begin), 0 <= s <= 1, inside an outline.
-bool chord(const PlaneEllipse& shape, const Edge& edge, ArcInterval& inside) {
+bool chord(const PlaneEllipse& shape, const Edge& edge, EdgeInterval& inside) {
   const auto to_unit = [&shape](const Point& p) {
     const double cosine = p.x() / shape.ux;
     return Point(cosine, (p.y() - shape.uy * cosine) / shape.vy);
@@ -66,25 +65,46 @@ bool chord(const PlaneEllipse& shape, const Edge& edge, ArcInterval& inside) {
 /// Part of an edge inside an outline.
 struct EdgePart {
   std::size_t owner = 0;
-  ArcInterval inside;
+  EdgeInterval inside;
 };
 
-/// Share of one edge in the area: of all outlines together, and summed owner by owner.
-void add_edge(const Edge& edge, const std::vector<PlaneEllipse>& outlines, UnionMeasures& sums) {
-  std::vector<EdgePart> parts;
-  std::vector<ArcInterval> all;
-  EdgePart part;
+/// The circle around an outline about its centre.
+struct Circle {
+  Point centre;
+  double radius;
+};
+
+std::vector<Circle> circles_around(const std::vector<PlaneEllipse>& outlines) {
+  std::vector<Circle> circles;
+  circles.reserve(outlines.size());
   for (const PlaneEllipse& shape : outlines)
-    if (chord(shape, edge, part.inside)) {
-      part.owner = shape.owner;
+    circles.push_back({shape.centre, shape.bounding_radius()});
+  return circles;
+}
+
+/// From the edge's line to a point, positive outside (length).
+double beyond(const Edge& edge, const Point& point) {
+  return edge.outward.dot(point) - edge.offset;
+}
+
+/// Share of one edge in the area: of all outlines together, and summed owner by owner.
+void add_edge(const Edge& edge, const std::vector<PlaneEllipse>& outlines,
+              const std::vector<Circle>& circles, UnionMeasures& sums) {
+  std::vector<EdgePart> parts;
+  std::vector<EdgeInterval> all;
+  EdgePart part;
+  for (std::size_t i = 0; i < outlines.size(); ++i)
+    if (std::abs(beyond(edge, circles[i].centre)) <= circles[i].radius &&
+        chord(outlines[i], edge, part.inside)) {
+      part.owner = outlines[i].owner;
       parts.push_back(part);
       all.push_back(part.inside);
     }
   const double whole = 0.5 * cross(edge.begin, edge.end);
-  const auto joined_length = [](std::vector<ArcInterval>& intervals) {
+  const auto joined_length = [](std::vector<EdgeInterval>& intervals) {
     join(intervals);
     double length = 0.0;
-    for (const ArcInterval& interval : intervals)
+    for (const EdgeInterval& interval : intervals)
       length += interval.end - interval.begin;
     return length;
   };
@@ -92,7 +112,7 @@ void add_edge(const Edge& edge, const std::vector<PlaneEllipse>& outlines, Union
   std::stable_sort(parts.begin(), parts.end(),
                    [](const EdgePart& p, const EdgePart& q) { return p.owner < q.owner; });
   for (std::size_t k = 0; k < parts.size();) {
-    std::vector<ArcInterval> own;
+    std::vector<EdgeInterval> own;
     const std::size_t owner = parts[k].owner;
     for (; k < parts.size() && parts[k].owner == owner; ++k)
       own.push_back(parts[k].inside);
@@ -103,18 +123,22 @@ void add_edge(const Edge& edge, const std::vector<PlaneEllipse>& outlines, Union
 /// The parts of every outline that are hidden by others or by the region's outside.
 class HiddenArcs {
  public:
-  HiddenArcs(const std::vector<PlaneEllipse>& outlines, const std::vector<Edge>& edges)
-      : m_first(outlines.size() + 1, 0) {
-    find_all(outlines, edges);
+  HiddenArcs(const std::vector<PlaneEllipse>& outlines, const std::vector<Circle>& circles,
+             const std::vector<Edge>& edges, const OutlinePairs& near)
+      : m_outlines(outlines), m_first(outlines.size() + 1, 0) {
+    m_found.reserve(2 * near.size());
+    for (const Edge& edge : edges)
+      find_beyond(edge, circles);
+    find_covered(near);
     // counted, then put in the order of their outlines
     for (const Hidden& hidden : m_found)
       ++m_first[hidden.outline + 1];
     for (std::size_t i = 0; i < outlines.size(); ++i)
       m_first[i + 1] += m_first[i];
-    m_ordered.resize(m_found.size());
+    m_order.resize(m_found.size());
     std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
-    for (const Hidden& hidden : m_found)
-      m_ordered[next[hidden.outline]++] = hidden;
+    for (std::size_t k = 0; k < m_found.size(); ++k)
+      m_order[next[m_found[k].outline]++] = k;
   }
 
   /// Those of one outline: `own` by outlines of the same owner or the outside, and `all`.
@@ -123,9 +147,10 @@ class HiddenArcs {
     own.clear();
     all.clear();
     for (std::size_t k = m_first[i]; k < m_first[i + 1]; ++k) {
-      all.push_back(m_ordered[k].arc);
-      if (m_ordered[k].is_own)
-        own.push_back(m_ordered[k].arc);
+      const Hidden& hidden = m_found[m_order[k]];
+      all.push_back(hidden.arc);
+      if (hidden.is_own)
+        own.push_back(hidden.arc);
     }
   }
 
@@ -136,59 +161,112 @@ class HiddenArcs {
     ArcInterval arc;
   };
 
+  /// An arc over the end of the turn becomes two.
+  void add(std::size_t outline, bool is_own, const ArcInterval& arc) {
+    if (!(arc.end < arc.begin)) {
+      put(outline, is_own, arc.begin, arc.end);
+      return;
+    }
+    put(outline, is_own, arc.begin, turn_end);
+    put(outline, is_own, turn_begin, arc.end);
+  }
+  /// Number by number: an arc that is copied right after its numbers were stored one by one keeps
+  /// the processor waiting.
+  void put(std::size_t outline, bool is_own, const ArcEnd& begin, const ArcEnd& end) {
+    Hidden& hidden = m_found.emplace_back();
+    hidden.outline = outline;
+    hidden.is_own = is_own;
+    hidden.arc = {{begin.turn, begin.cosine, begin.sine}, {end.turn, end.cosine, end.sine}};
+  }
   /// Moves arcs to the list of those found.
   void add(std::size_t outline, bool is_own, std::vector<ArcInterval>& arcs) {
     for (const ArcInterval& arc : arcs)
-      m_found.push_back({outline, is_own, arc});
+      add(outline, is_own, arc);
     arcs.clear();
   }
 
-  void find_all(const std::vector<PlaneEllipse>& outlines, const std::vector<Edge>& edges) {
-    std::vector<Vector3> centres;
-    std::vector<double> radii;
-    for (const PlaneEllipse& shape : outlines) {
-      centres.push_back({shape.centre.x(), shape.centre.y(), 0.0});
-      radii.push_back(shape.bounding_radius());
-    }
-    CellGrid grid(centres, radii);
-    std::vector<ArcInterval> of_i, of_j;
-    for (std::size_t i = 0; i < outlines.size(); ++i) {
-      for (const Edge& edge : edges)
-        if (edge.outward.dot(outlines[i].centre) + radii[i] > edge.offset)
-          append_beyond_line(outlines[i], edge.outward, edge.offset, of_i);
-      add(i, true, of_i);
-      grid.for_later_neighbours(i, [&](std::size_t j) {
-        append_covered(outlines[i], outlines[j], of_i, of_j);
-        const bool is_own = outlines[i].owner == outlines[j].owner;
-        add(i, is_own, of_i);
-        add(j, is_own, of_j);
-      });
-    }
+  void find_beyond(const Edge& edge, const std::vector<Circle>& circles) {
+    std::vector<ArcInterval> arcs;
+    for (std::size_t i = 0; i < circles.size(); ++i)
+      if (beyond(edge, circles[i].centre) + circles[i].radius > 0.0) {
+        append_beyond_line(m_outlines[i], edge.outward, edge.offset, arcs);
+        add(i, true, arcs);
+      }
   }
 
-  std::vector<Hidden> m_found, m_ordered;
-  std::vector<std::size_t> m_first; ///< of each outline in m_ordered
+  void find_covered(const OutlinePairs& near) {
+    for (const auto& [i, j] : near) {
+      m_waiting[static_cast<std::size_t>(m_batch.size())] = {i, j};
+      m_batch.add(m_outlines[i], m_outlines[j]);
+      if (m_batch.full())
+        look_at_waiting();
+    }
+    look_at_waiting();
+  }
+
+  void look_at_waiting() {
+    std::vector<ArcInterval> of_i, of_j;
+    m_batch.solve();
+    for (int k = 0; k < m_batch.size(); ++k) {
+      const auto [i, j] = m_waiting[static_cast<std::size_t>(k)];
+      const bool is_own = m_outlines[i].owner == m_outlines[j].owner;
+      const LensBatch::Verdict verdict = m_batch.verdict(k);
+      if (verdict == LensBatch::Verdict::lens) {
+        add(i, is_own, m_batch.of_i(k));
+        add(j, is_own, m_batch.of_j(k));
+      } else if (verdict == LensBatch::Verdict::unknown) {
+        append_covered(m_outlines[i], m_outlines[j], of_i, of_j);
+        add(i, is_own, of_i);
+        add(j, is_own, of_j);
+      }
+    }
+    m_batch.clear();
+  }
+
+  LensBatch m_batch;
+  std::array<std::pair<std::size_t, std::size_t>, LensBatch::capacity> m_waiting;
+  const std::vector<PlaneEllipse>& m_outlines;
+  std::vector<Hidden> m_found;
+  std::vector<std::size_t> m_order; ///< of m_found: outline by outline
+  std::vector<std::size_t> m_first; ///< of each outline in m_order
 };
 
 } // namespace
 
+OutlinePairs near_outlines(const std::vector<PlaneEllipse>& outlines) {
+  std::vector<Vector3> centres;
+  std::vector<double> radii;
+  for (const Circle& circle : circles_around(outlines)) {
+    centres.push_back({circle.centre.x(), circle.centre.y(), 0.0});
+    radii.push_back(circle.radius);
+  }
+  CellGrid grid(centres, radii);
+  OutlinePairs pairs;
+  grid.for_pairs([&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); });
+  return pairs;
+}
+
 UnionMeasures union_in_region(const std::vector<PlaneEllipse>& outlines,
                               const ConvexPolygon& region) {
+  return union_in_region(outlines, region, near_outlines(outlines));
+}
+
+UnionMeasures union_in_region(const std::vector<PlaneEllipse>& outlines,
+                              const ConvexPolygon& region, const OutlinePairs& near) {
   UnionMeasures result;
   if (region.size() < 3)
     return result;
   const std::vector<Edge> edges = edges_of(region);
-  const HiddenArcs hidden(outlines, edges);
+  const std::vector<Circle> circles = circles_around(outlines);
+  const HiddenArcs hidden(outlines, circles, edges, near);
   std::vector<ArcInterval> own, all;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
-    const PlaneEllipse& shape = outlines[i];
     hidden.of_outline(i, own, all);
-    for_uncovered(own, two_pi,
-                  [&](double t0, double t1) { result.area_sum += shape.green(t0, t1); });
-    for_uncovered(all, two_pi, [&](double t0, double t1) { result.area += shape.green(t0, t1); });
+    result.area_sum += free_share(outlines[i], own);
+    result.area += free_share(outlines[i], all);
   }
   for (const Edge& edge : edges)
-    add_edge(edge, outlines, result);
+    add_edge(edge, outlines, circles, result);
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include "plane_outline.h"
 
+#include <utility>
 #include <vector>
 
 namespace ellipsoid::post {
@@ -15,12 +16,21 @@ struct UnionMeasures {
   double area_sum = 0.0; ///< added owner by owner, each the union of its own outlines (length^2)
 };
 
+/// Pairs of outlines that may overlap, by their indices, the smaller one first.
+using OutlinePairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/// Those whose surrounding circles overlap.
+OutlinePairs near_outlines(const std::vector<PlaneEllipse>& outlines);
+
 /// Area of the union of outlines inside a convex region, each point counted once.
 ///
 /// Exact to rounding: by Green's theorem over the arcs of the outlines that lie in no other
 /// outline and inside the region, and over the parts of the region's edges inside an outline.
 UnionMeasures union_in_region(const std::vector<PlaneEllipse>& outlines,
                               const ConvexPolygon& region);
+/// @param[in] near every pair that overlaps, and others
+UnionMeasures union_in_region(const std::vector<PlaneEllipse>& outlines,
+                              const ConvexPolygon& region, const OutlinePairs& near);
 
 /// Area of a simple polygon, positive counter-clockwise (length^2).
 double polygon_area(const ConvexPolygon& polygon);

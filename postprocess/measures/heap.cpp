@@ -127,7 +127,8 @@ HeapAngle heap_angle(const ParticleSet& upright, const HeapOptions& options) {
 std::vector<std::size_t> largest_cluster(const ParticleSet& set, double gap_in_b) {
   PileOptions options;
   options.wall.reset();
-  return pile_members(set, options, gap_in_b * mean_smallest_axis(set, all_members(set)));
+  const double gap = gap_in_b * mean_smallest_axis(set, all_members(set));
+  return pile_members(set, options, NearPairs(set, gap));
 }
 
 } // namespace ellipsoid::post

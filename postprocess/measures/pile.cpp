@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace ellipsoid::post {
 namespace {
@@ -18,9 +19,10 @@ double mean_z(const ParticleSet& set) {
 } // namespace
 
 std::vector<std::size_t> pile_members(const ParticleSet& set, const PileOptions& options,
-                                      double gap) {
+                                      const NearPairs& near,
+                                      const std::vector<PairContact>& touching) {
   const std::size_t count = set.particles.size();
-  const std::vector<std::size_t> clusters = touching_clusters(set, gap);
+  const std::vector<std::size_t> clusters = touching_clusters(set, near, touching);
   std::vector<std::size_t> size(count, 0);
   std::vector<char> touches_wall(count, 0);
   bool any_touches = false;
@@ -29,7 +31,7 @@ std::vector<std::size_t> pile_members(const ParticleSet& set, const PileOptions&
     ++size[root];
     if (options.wall && !touches_wall[root]) {
       const PlaneWall wall{{*options.wall, 0.0, 0.0}, {1.0, 0.0, 0.0}};
-      if (!wall_overlaps(set, i, wall, gap).empty())
+      if (!wall_overlaps(set, i, wall, near.gap()).empty())
         touches_wall[root] = any_touches = true;
     }
   }
@@ -44,24 +46,62 @@ std::vector<std::size_t> pile_members(const ParticleSet& set, const PileOptions&
   return members;
 }
 
-Pile find_pile(const ParticleSet& set, const PileOptions& options) {
+namespace {
+
+/// Extent of the outlines that reach above the floor.
+void find_extent(PileBody& pile, const PileOptions& options) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double left = infinity, right = -infinity;
+  pile.top = -infinity;
+  for (const PlaneEllipse& shape : pile.outlines) {
+    const double top = shape.top();
+    if (top < options.floor)
+      continue;
+    pile.top = std::max(pile.top, top);
+    left = std::min(left, shape.left());
+    right = std::max(right, shape.right());
+  }
+  const bool is_above = pile.top >= options.floor;
+  pile.right = is_above ? right : 0.0;
+  pile.left = options.wall ? *options.wall : is_above ? left : 0.0;
+}
+
+} // namespace
+
+NearPairs near_pairs(const ParticleSet& set, const PileOptions& options) {
+  return {set, options.cluster_gap * mean_smallest_axis(set, all_members(set))};
+}
+
+PileBody find_pile_body(const ParticleSet& set, const PileOptions& options, NearPairs near,
+                        const std::vector<PairContact>& touching) {
   if (set.particles.empty())
     throw InputError("a pile needs at least one particle, the frame has none");
   const double section = options.section.value_or(mean_z(set));
-  const double gap = options.cluster_gap * mean_smallest_axis(set, all_members(set));
-  std::vector<std::size_t> members = pile_members(set, options, gap);
-  const double mean_a = mean_largest_axis(set, members), mean_b = mean_smallest_axis(set, members);
-  double out_of_plane = 0.0;
-  for (const std::size_t i : members)
-    out_of_plane = std::max(out_of_plane, std::abs(set.particles[i].centre.z - section));
-  std::vector<PlaneEllipse> shapes = outlines(set, members, section, options.outline);
-  if (shapes.empty())
+  PileBody pile;
+  pile.near = std::move(near);
+  pile.section = section;
+  pile.members = pile_members(set, options, pile.near, touching);
+  pile.strays = set.particles.size() - pile.members.size();
+  pile.mean_a = mean_largest_axis(set, pile.members);
+  pile.mean_b = mean_smallest_axis(set, pile.members);
+  for (const std::size_t i : pile.members)
+    pile.out_of_plane = std::max(pile.out_of_plane, std::abs(set.particles[i].centre.z - section));
+  pile.outlines = outlines(set, pile.members, section, options.outline);
+  if (pile.outlines.empty())
     throw InputError(fmt::format("the plane z = {} cuts no particle of the pile", section));
-  UpperEnvelope surface(shapes, options.floor);
-  const double left = options.wall ? *options.wall : surface.left(), right = surface.right();
-  const std::size_t strays = set.particles.size() - members.size();
-  return {std::move(members), strays, section, out_of_plane, std::move(shapes),
-          std::move(surface), left,   right,   mean_a,       mean_b};
+  find_extent(pile, options);
+  return pile;
+}
+
+Pile find_pile(const ParticleSet& set, const PileOptions& options, NearPairs near,
+               const std::vector<PairContact>& touching) {
+  PileBody body = find_pile_body(set, options, std::move(near), touching);
+  UpperEnvelope surface(body.outlines, options.floor);
+  return {std::move(body), std::move(surface)};
+}
+
+Pile find_pile(const ParticleSet& set, const PileOptions& options) {
+  return find_pile(set, options, near_pairs(set, options));
 }
 
 } // namespace ellipsoid::post

@@ -28,25 +28,43 @@ struct PileOptions {
   OutlineKind outline = OutlineKind::true_shape;
 };
 
-struct Pile {
+/// What belongs to a pile and how far it reaches.
+struct PileBody {
   std::vector<std::size_t> members;   ///< indices of the set, ascending
   std::size_t strays = 0;             ///< particles that do not belong to it
+  NearPairs near;                     ///< of all particles, that were looked at for the members
   double section = 0.0;               ///< z of the plane (length)
   double out_of_plane = 0.0;          ///< largest |z - section| of a member (length)
   std::vector<PlaneEllipse> outlines; ///< of the members
+  double left = 0.0, right = 0.0;     ///< extent above the floor, from the wall (length)
+  double top = 0.0;                   ///< ordinate of the highest point (length)
+  double mean_a = 0.0, mean_b = 0.0;  ///< largest and smallest semi-axis, means (length)
+};
+
+/// With its free surface.
+struct Pile : PileBody {
   UpperEnvelope surface;
-  double left = 0.0, right = 0.0;    ///< extent above the floor, from the wall (length)
-  double mean_a = 0.0, mean_b = 0.0; ///< largest and smallest semi-axis, means (length)
 };
 
 /// Indices of the particles that belong to the pile, ascending.
-/// @param[in] gap particles this close belong together (length)
+/// @param[in] near its gap: particles this close belong together
+/// @param[in] touching pairs that are known to touch, if any
 std::vector<std::size_t> pile_members(const ParticleSet& set, const PileOptions& options,
-                                      double gap);
+                                      const NearPairs& near,
+                                      const std::vector<PairContact>& touching = {});
+
+/// Pairs of particles near enough to each other to belong to one pile.
+NearPairs near_pairs(const ParticleSet& set, const PileOptions& options);
 
 /// The pile: the connected cluster of particles that touches the wall (the largest if several
-/// do; without a wall the largest cluster of all) and its outlines and free surface.
+/// do; without a wall the largest cluster of all) and its outlines.
 /// Throws InputError when there are no particles.
+/// @param[in] near see near_pairs(), @param[in] touching see pile_members()
+PileBody find_pile_body(const ParticleSet& set, const PileOptions& options, NearPairs near,
+                        const std::vector<PairContact>& touching = {});
+/// The same with its free surface.
+Pile find_pile(const ParticleSet& set, const PileOptions& options, NearPairs near,
+               const std::vector<PairContact>& touching = {});
 Pile find_pile(const ParticleSet& set, const PileOptions& options);
 
 } // namespace ellipsoid::post

@@ -50,6 +50,26 @@ std::pair<double, double> extent(const Pile& pile, PorosityRegion region,
   return {left, right};
 }
 
+/// Pairs of outlines that may overlap: those of particles that are near each other, where every
+/// particle has one outline.
+OutlinePairs pairs_of_outlines(const Pile& pile) {
+  const bool is_one_each = std::equal(
+      pile.members.begin(), pile.members.end(), pile.outlines.begin(), pile.outlines.end(),
+      [](std::size_t member, const PlaneEllipse& shape) { return member == shape.owner; });
+  if (!is_one_each)
+    return near_outlines(pile.outlines);
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> outline_of(pile.members.back() + 1, none);
+  for (std::size_t k = 0; k < pile.members.size(); ++k)
+    outline_of[pile.members[k]] = k;
+  OutlinePairs pairs;
+  pairs.reserve(pile.near.pairs().size());
+  for (const auto& [i, j] : pile.near.pairs())
+    if (j < outline_of.size() && outline_of[i] != none && outline_of[j] != none)
+      pairs.emplace_back(outline_of[i], outline_of[j]);
+  return pairs;
+}
+
 } // namespace
 
 Porosity plane_porosity(const Pile& pile, const PileOptions& pile_options,
@@ -69,7 +89,7 @@ Porosity plane_porosity(const Pile& pile, const PileOptions& pile_options,
   if (!(result.total_area > 0.0))
     throw InputError("the region for the porosity is empty: the pile is too small for it; "
                      "use --region whole or a smaller --margin");
-  const UnionMeasures measures = union_in_region(pile.outlines, region);
+  const UnionMeasures measures = union_in_region(pile.outlines, region, pairs_of_outlines(pile));
   result.solid_area = measures.area;
   result.area_sum = measures.area_sum;
   result.porosity = 1.0 - result.solid_area / result.total_area;

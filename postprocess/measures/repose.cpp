@@ -16,17 +16,23 @@ std::vector<Point> flank_columns(const Pile& pile, const PileOptions& options, F
   const double begin = options.wall ? pile.left : pile.surface.summit().x();
   const double end = flank == Flank::right ? pile.right : pile.left;
   const double direction = flank == Flank::right ? 1.0 : -1.0;
-  std::vector<Point> columns;
   const double length = direction * (end - begin);
   constexpr double most_columns = 1.0e7;
   if (!(length <= most_columns * spacing))
     throw InputError(fmt::format("the free surface would need {:.3g} columns (at most {:.0g}): the "
                                  "particles' sizes differ too much, choose a larger --columns",
                                  length / spacing, most_columns));
-  for (std::size_t k = 0; (static_cast<double>(k) + 0.5) * spacing < length; ++k) {
-    const double x = begin + direction * (static_cast<double>(k) + 0.5) * spacing;
-    columns.emplace_back(x, pile.surface.height(x));
-  }
+  std::vector<double> abscissas;
+  for (std::size_t k = 0; (static_cast<double>(k) + 0.5) * spacing < length; ++k)
+    abscissas.push_back(begin + direction * (static_cast<double>(k) + 0.5) * spacing);
+  if (flank == Flank::left)
+    std::reverse(abscissas.begin(), abscissas.end());
+  const std::vector<double> heights = pile.surface.heights(abscissas);
+  std::vector<Point> columns(abscissas.size());
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    columns[k] = {abscissas[k], heights[k]};
+  if (flank == Flank::left)
+    std::reverse(columns.begin(), columns.end());
   return columns;
 }
 

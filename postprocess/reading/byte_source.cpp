@@ -111,10 +111,24 @@ std::unique_ptr<ByteSource> memory_bytes(std::string content) {
   return std::make_unique<MemoryBytes>(std::move(content));
 }
 
+std::string_view next_token(std::string_view& rest) {
+  std::size_t begin = 0;
+  while (begin < rest.size() && is_blank(rest[begin]))
+    ++begin;
+  std::size_t end = begin;
+  while (end < rest.size() && !is_blank(rest[end]))
+    ++end;
+  const std::string_view token = rest.substr(begin, end - begin);
+  rest.remove_prefix(end);
+  return token;
+}
+
 LineReader::LineReader(std::unique_ptr<ByteSource> source, std::string name)
     : m_source(std::move(source)), m_name(std::move(name)), m_buffer(std::size_t{1} << 18) {}
 
 bool LineReader::refill() {
+  if (m_broken)
+    throw BrokenLine(*m_broken);
   if (m_at_end)
     return false;
   std::memmove(m_buffer.data(), m_buffer.data() + m_begin, m_end - m_begin);
@@ -126,7 +140,8 @@ bool LineReader::refill() {
   try {
     got = m_source->read(m_buffer.data() + m_end, m_buffer.size() - m_end - 1);
   } catch (const InputError& error) {
-    throw BrokenLine(next_place(), "more data", error.what());
+    m_broken.emplace(next_place(), "more data", error.what());
+    throw BrokenLine(*m_broken);
   }
   m_end += got;
   m_buffer[m_end] = '\n';
@@ -136,13 +151,47 @@ bool LineReader::refill() {
 
 bool LineReader::take(std::size_t length, std::size_t skipped, std::string_view& line) {
   ++m_line_number;
-  line = std::string_view(m_buffer.data() + m_begin, length);
+  line = without_return({m_buffer.data() + m_begin, length});
   m_begin += length + skipped;
-  if (!line.empty() && line.back() == '\r')
-    line.remove_suffix(1);
   if (!line.empty() && std::memchr(line.data(), '\0', line.size()))
-    throw BrokenLine({m_name, m_line_number, 0}, "text", "a NUL byte: these are binary data");
+    throw nul_byte({m_name, m_line_number, 0});
   return true;
+}
+
+bool LineReader::refill_or_leave_to_next() {
+  try {
+    return m_end - m_begin <= longest_line && refill();
+  } catch (const BrokenLine&) {
+    return false; // `next` throws it again
+  }
+}
+
+std::size_t LineReader::append_lines(std::size_t most, std::string_view stop, std::size_t enough,
+                                     std::string& text) {
+  std::size_t lines = 0;
+  bool is_stopped = false;
+  do {
+    const char* const begin = m_buffer.data() + m_begin;
+    const char* const end = m_buffer.data() + m_end;
+    const char* place = begin;
+    const std::size_t lines_before = lines;
+    while (lines < most) {
+      const void* found = std::memchr(place, '\n', static_cast<std::size_t>(end - place));
+      const char* newline = static_cast<const char*>(found);
+      if (!newline)
+        break;
+      is_stopped = starts_with({place, static_cast<std::size_t>(newline - place)}, stop);
+      if (is_stopped)
+        break;
+      place = newline + 1;
+      ++lines;
+    }
+    text.append(begin, place);
+    m_begin += static_cast<std::size_t>(place - begin);
+    m_line_number += lines - lines_before;
+    is_stopped = is_stopped || lines == most || text.size() > enough;
+  } while (!is_stopped && refill_or_leave_to_next());
+  return lines;
 }
 
 bool LineReader::next(std::string_view& line) {
@@ -161,6 +210,10 @@ bool LineReader::next(std::string_view& line) {
     if (!refill())
       return m_end > m_begin && take(m_end - m_begin, 0, line);
   }
+}
+
+BrokenLine nul_byte(const FilePlace& place) {
+  return {place, "text", "a NUL byte: these are binary data"};
 }
 
 } // namespace ellipsoid::post

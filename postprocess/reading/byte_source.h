@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,20 @@ std::unique_ptr<ByteSource> open_bytes(const std::string& path);
 /// Bytes that are in memory already (tests, fuzzing).
 std::unique_ptr<ByteSource> memory_bytes(std::string content);
 
+inline bool starts_with(std::string_view text, std::string_view beginning) {
+  return text.substr(0, beginning.size()) == beginning;
+}
+
+inline bool is_blank(char letter) { return letter == ' ' || letter == '\t'; }
+
+/// Cuts the next blank-separated token off `rest`; empty at the end.
+std::string_view next_token(std::string_view& rest);
+
+/// A line of a file from Windows without the end that is left of it.
+inline std::string_view without_return(std::string_view line) {
+  return !line.empty() && line.back() == '\r' ? line.substr(0, line.size() - 1) : line;
+}
+
 /// Splits a byte source into lines; a line may be of any length up to `longest_line`.
 class LineReader {
  public:
@@ -42,6 +57,13 @@ class LineReader {
   /// is too long or holds a NUL byte (binary data), and for a source that is broken.
   bool next(std::string_view& line);
 
+  /// Appends whole lines, their ends included, to a text: at most `most` of them, none that begins
+  /// with `stop`, and none after the text has grown beyond `enough` bytes. Whatever is special (the
+  /// end of the file, a line without an end, broken data) is left to `next`.
+  /// @return how many
+  std::size_t append_lines(std::size_t most, std::string_view stop, std::size_t enough,
+                           std::string& text);
+
   /// Number of the line that `next` gave last, from 1.
   std::size_t line_number() const { return m_line_number; }
   const std::string& name() const { return m_name; }
@@ -49,6 +71,7 @@ class LineReader {
 
  private:
   bool refill();
+  bool refill_or_leave_to_next();
   FilePlace next_place() const { return {m_name, m_line_number + 1, 0}; }
   bool take(std::size_t length, std::size_t skipped, std::string_view& line);
 
@@ -57,6 +80,10 @@ class LineReader {
   std::vector<char> m_buffer;
   std::size_t m_begin = 0, m_end = 0, m_line_number = 0;
   bool m_at_end = false;
+  std::optional<BrokenLine> m_broken; ///< what reading the source ended with
 };
+
+/// Text that is none.
+BrokenLine nul_byte(const FilePlace& place);
 
 } // namespace ellipsoid::post

@@ -29,6 +29,7 @@ struct Frame {
   std::size_t rows = 0;
   std::vector<std::string> names;           ///< of the columns
   std::vector<std::vector<double>> columns; ///< columns[k][row]; empty for a text column
+  std::string unread; ///< lines of the rows while they are not in the columns yet, see read_rows()
 
   /// Index of a column, or -1.
   int find(const std::string& name) const;

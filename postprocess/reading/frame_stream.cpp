@@ -2,6 +2,7 @@
 #include "frame_stream.h"
 
 #include "byte_source.h"
+#include "frame_rows.h"
 
 #include <algorithm>
 #include <cctype>
@@ -150,6 +151,13 @@ FrameStream::FrameStream(std::vector<std::string> files) : m_files(std::move(fil
 }
 
 bool FrameStream::next(Frame& frame) {
+  if (!next_unread(frame))
+    return false;
+  read_rows(frame);
+  return true;
+}
+
+bool FrameStream::next_unread(Frame& frame) {
   for (;;) {
     if (!m_reader) {
       if (m_next_file == m_files.size()) {
@@ -158,7 +166,7 @@ bool FrameStream::next(Frame& frame) {
       }
       m_reader = open_frames(m_files[m_next_file++]);
     }
-    if (m_reader->next(frame)) {
+    if (m_reader->next_unread(frame)) {
       ++m_frames;
       show_progress();
       return true;

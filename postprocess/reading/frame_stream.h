@@ -37,6 +37,8 @@ class FrameStream {
 
   /// The next whole frame; false after the last one. Throws InputError.
   bool next(Frame& frame);
+  /// The same, but its rows may be left as text, see FrameReader.
+  bool next_unread(Frame& frame);
 
   const std::vector<std::string>& files() const { return m_files; }
 

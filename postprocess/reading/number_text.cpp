@@ -1,48 +1,83 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "number_text.h"
 
+#include "byte_source.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 
 namespace ellipsoid::post {
 namespace {
 
-/// Powers of ten that a double holds exactly.
-constexpr double exact_powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                   1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                   1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-constexpr int largest_exact_power = 22;
-constexpr std::uint64_t largest_exact_integer = std::uint64_t{1} << 53;
+__extension__ using Wide = unsigned __int128;
+
+/// Powers of ten 10^q as mantissa 2^(exponent - 63) with 2^63 <= mantissa < 2^64, cut off.
+struct PowersOfTen {
+  static constexpr int largest = 64;
+  std::uint64_t mantissas[2 * largest + 1] = {};
+  int exponents[2 * largest + 1] = {};
+
+  /// From power to power with 128 bits, of which the last eight are lost at most.
+  constexpr PowersOfTen() {
+    constexpr Wide one = Wide{1} << 127;
+    Wide up = one, down = one;
+    int up_exponent = 0, down_exponent = 0;
+    for (int q = 0; q <= largest; ++q) {
+      set(q, up, up_exponent);
+      set(-q, down, down_exponent);
+      const Wide sum = up + up / 4; // 10 = 8 (1 + 1/4)
+      const bool carries = sum < up;
+      up = carries ? up / 2 + up / 8 : sum;
+      up_exponent += carries ? 4 : 3;
+      const Wide less = down / 5 * 4 + down % 5 * 4 / 5; // 1/10 = 4/5 / 8
+      const bool is_short = less < one;
+      down = is_short ? down / 5 * 8 + down % 5 * 8 / 5 : less;
+      down_exponent -= is_short ? 4 : 3;
+    }
+  }
+
+ private:
+  constexpr void set(int power, Wide mantissa, int exponent) {
+    mantissas[largest + power] = static_cast<std::uint64_t>(mantissa >> 64);
+    exponents[largest + power] = exponent;
+  }
+};
+
+constexpr PowersOfTen powers_of_ten;
 
 /// A number as its text says it: digits 10^exponent.
 struct Decimal {
   std::uint64_t digits = 0;
   int exponent = 0;
   bool is_exact = false; ///< `digits` holds all of them
+  bool is_negative = false;
 };
-
-bool is_blank(char letter) { return letter == ' ' || letter == '\t'; }
 
 unsigned digit_at(const char* place) { return static_cast<unsigned char>(*place) - unsigned{'0'}; }
 
-/// The value of eight digits at once; false when one of the bytes is none.
-bool eight_digits(const char* place, std::uint64_t& value) {
-  std::uint64_t bytes = 0; // digit k in byte k: the first one is the lowest
+/// Eight characters as one number, the first one lowest; digits as their values.
+std::uint64_t eight_characters(const char* place) {
+  std::uint64_t bytes = 0;
   for (unsigned k = 0; k < 8; ++k)
     bytes |= std::uint64_t{static_cast<unsigned char>(place[k])} << (8 * k); // one load
-  constexpr std::uint64_t high_halves = 0xf0f0f0f0f0f0f0f0, zeros = 0x3030303030303030;
-  if ((bytes & high_halves) != zeros ||
-      ((bytes + 0x0606060606060606) & high_halves) != zeros) // ':' to '?' would carry
-    return false;
-  bytes -= zeros;
-  bytes = (10 * bytes + (bytes >> 8)) & 0x00ff00ff00ff00ff;   // pairs
-  bytes = (100 * bytes + (bytes >> 16)) & 0x0000ffff0000ffff; // fours
-  value = (10000 * bytes + (bytes >> 32)) & 0xffffffff;
-  return true;
+  return bytes ^ 0x3030303030303030;
+}
+
+/// How many of eight characters are digits, up to the first one that is none.
+unsigned leading_digits(std::uint64_t characters) {
+  // a sum that exceeds a byte can only disturb those behind the first one that is no digit
+  const std::uint64_t none = ((characters + 0x7676767676767676) | characters) & 0x8080808080808080;
+  return none == 0 ? 8 : static_cast<unsigned>(__builtin_ctzll(none)) / 8;
+}
+
+/// The number that eight digits form.
+std::uint64_t value_of(std::uint64_t digits) {
+  digits = (10 * digits + (digits >> 8)) & 0x00ff00ff00ff00ff;   // pairs
+  digits = (100 * digits + (digits >> 16)) & 0x0000ffff0000ffff; // fours
+  return (10000 * digits + (digits >> 32)) & 0xffffffff;
 }
 
 /// Takes a run of digits, usually a short one.
@@ -54,9 +89,18 @@ inline const char* take_digits(const char* place, std::uint64_t& digits) {
 
 /// Takes a run of digits, usually a long one.
 inline const char* take_many_digits(const char* place, const char* end, std::uint64_t& digits) {
-  std::uint64_t eight = 0;
-  for (; end - place >= 8 && eight_digits(place, eight); place += 8)
-    digits = 100000000 * digits + eight;
+  static constexpr std::uint64_t powers[] = {1,      10,      100,      1000,     10000,
+                                             100000, 1000000, 10000000, 100000000};
+  while (end - place >= 8) {
+    const std::uint64_t characters = eight_characters(place);
+    const unsigned count = leading_digits(characters);
+    // moved up: what is no digit is gone, zeros come in front
+    const unsigned half = 32 - 4 * count;
+    digits = powers[count] * digits + value_of(characters << half << half);
+    place += count;
+    if (count < 8)
+      return place;
+  }
   return take_digits(place, digits);
 }
 
@@ -97,32 +141,35 @@ inline const char* take_decimal(const char* begin, const char* end, Decimal& num
   return *place == 'e' || *place == 'E' ? take_exponent(place, number.exponent) : place;
 }
 
-/// digits 10^exponent for digits of more than 53 bits by one operation in a longer format, where
-/// the processor has one with 64 bits. False where the second rounding, to 53 bits, could differ
-/// from a single one: the first one ended close to the middle between two doubles.
-bool round_twice(const Decimal& number, double& value) {
-  using Long = long double;
-  if constexpr (std::numeric_limits<Long>::digits == 64 && sizeof(Long) == 16) {
-    static constexpr Long powers[] = {1e0L,  1e1L,  1e2L,  1e3L,  1e4L,  1e5L,  1e6L,
-                                      1e7L,  1e8L,  1e9L,  1e10L, 1e11L, 1e12L, 1e13L,
-                                      1e14L, 1e15L, 1e16L, 1e17L, 1e18L, 1e19L, 1e20L,
-                                      1e21L, 1e22L, 1e23L, 1e24L, 1e25L, 1e26L, 1e27L}; // exact
-    if (std::abs(number.exponent) > 27)
-      return false;
-    const Long digits = static_cast<Long>(number.digits);
-    const Long rounded =
-        number.exponent < 0 ? digits / powers[-number.exponent] : digits * powers[number.exponent];
-    std::uint64_t mantissa = 0;
-    std::memcpy(&mantissa, &rounded, sizeof(mantissa));
-    constexpr std::uint64_t surplus_bits = 0x7ff, middle = 0x400;
-    value = static_cast<double>(rounded);
-    return (mantissa & surplus_bits) - (middle - 1) > 2;
-  }
-  return false;
+/// +-digits 10^exponent, digits > 0, by one multiplication of 64 bits by 64 bits; the cut-off power
+/// makes it too small by less than 1 of the upper half. False where rounding to 53 bits could
+/// depend on that.
+bool rounded(const Decimal& number, double& value) {
+  if (std::abs(number.exponent) > PowersOfTen::largest)
+    return false;
+  const auto power = static_cast<std::size_t>(PowersOfTen::largest + number.exponent);
+  const int shift = __builtin_clzll(number.digits);
+  const Wide product = Wide{number.digits << shift} * powers_of_ten.mantissas[power];
+  const auto upper_half = static_cast<std::uint64_t>(product >> 64);
+  // with the leading bit in front; then too small by less than 3
+  const std::uint64_t is_short = ~upper_half >> 63;
+  const std::uint64_t upper =
+      (upper_half << is_short) | (static_cast<std::uint64_t>(product) >> 63 & is_short);
+  constexpr unsigned surplus_bits = 11;
+  constexpr std::uint64_t middle = 1u << (surplus_bits - 1), most_missing = 3;
+  const std::uint64_t surplus = upper & (2 * middle - 1);
+  const std::uint64_t mantissa = (upper >> surplus_bits) + (surplus > middle ? 1 : 0);
+  const int exponent = powers_of_ten.exponents[power] + 64 - shift - static_cast<int>(is_short);
+  constexpr int bias = 1022; // the leading bit of the mantissa adds 1
+  const std::uint64_t sign = number.is_negative ? 1 : 0;
+  const std::uint64_t bits =
+      (sign << 63) + (static_cast<std::uint64_t>(exponent + bias) << 52) + mantissa;
+  std::memcpy(&value, &bits, sizeof(value));
+  return surplus - (middle - most_missing) > most_missing;
 }
 
 /// Any number, by the standard library.
-const char* read_any_number(const char* text, const char* end, double& value) {
+[[gnu::noinline]] const char* read_any_number(const char* text, const char* end, double& value) {
   const char* token_end = std::find_if(text, end, is_blank);
   const auto result = std::from_chars(text, token_end, value);
   if (result.ptr != token_end || text == token_end)
@@ -138,24 +185,18 @@ const char* read_any_number(const char* text, const char* end, double& value) {
 
 } // namespace
 
-const char* read_number(const char* text, const char* end, double& value) {
+const char* read_longer_number(const char* text, const char* end, double& value) {
   if (*text == '+')
     ++text;
-  const bool is_negative = *text == '-';
   Decimal number;
-  const char* number_end = take_decimal(text + (is_negative ? 1 : 0), end, number);
+  number.is_negative = *text == '-';
+  const char* number_end = take_decimal(text + (number.is_negative ? 1 : 0), end, number);
   if ((number_end != end && !is_blank(*number_end)) || !number.is_exact)
     return read_any_number(text, end, value);
-  if (number.digits <= largest_exact_integer && std::abs(number.exponent) <= largest_exact_power) {
-    // one operation on two exact values: rounded once
-    const double digits = static_cast<double>(static_cast<std::int64_t>(number.digits));
-    value = number.exponent < 0 ? digits / exact_powers[-number.exponent]
-                                : digits * exact_powers[number.exponent];
-  } else if (!round_twice(number, value)) {
+  if (number.digits == 0)
+    value = number.is_negative ? -0.0 : 0.0;
+  else if (!rounded(number, value))
     return read_any_number(text, end, value);
-  }
-  if (is_negative)
-    value = -value;
   return number_end;
 }
 

@@ -242,7 +242,8 @@ class CommonColumns {
 std::vector<std::size_t> rows_by_id(const Frame& frame) {
   std::vector<std::size_t> order(frame.rows);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  if (const Column id = column(frame, {"id"}))
+  const Column id = column(frame, {"id"});
+  if (id && !std::is_sorted(id->begin(), id->end()))
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t i, std::size_t j) { return (*id)[i] < (*id)[j]; });
   return order;

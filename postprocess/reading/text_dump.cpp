@@ -1,40 +1,23 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "text_dump.h"
 
+#include "frame_rows.h"
 #include "number_text.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <fmt/format.h>
 
 namespace ellipsoid::post {
 namespace {
 
-/// Columns that hold words, not numbers; their values are not kept.
-constexpr std::array<std::string_view, 1> text_columns = {"element"};
-
 /// More columns than this is not a dump.
 constexpr std::size_t most_columns = 10000;
 
-/// Rows for which memory is set aside before they were seen: a wrong count in a broken file must
-/// not ask for all the memory of the machine.
-constexpr std::size_t most_rows_ahead = std::size_t{1} << 18;
+/// What no row begins with.
+constexpr std::string_view row_stop = "ITEM:";
 
-bool is_blank(char letter) { return letter == ' ' || letter == '\t'; }
-
-/// Cuts the next blank-separated token off `rest`; empty at the end.
-std::string_view next_token(std::string_view& rest) {
-  std::size_t begin = 0;
-  while (begin < rest.size() && is_blank(rest[begin]))
-    ++begin;
-  std::size_t end = begin;
-  while (end < rest.size() && !is_blank(rest[end]))
-    ++end;
-  const std::string_view token = rest.substr(begin, end - begin);
-  rest.remove_prefix(end);
-  return token;
-}
+/// Longer rows of a frame (bytes) are not held as text.
+constexpr std::size_t most_text = std::size_t{1} << 26;
 
 std::vector<std::string> tokens_of(std::string_view text) {
   std::vector<std::string> tokens;
@@ -43,19 +26,11 @@ std::vector<std::string> tokens_of(std::string_view text) {
   return tokens;
 }
 
-bool starts_with(std::string_view text, std::string_view beginning) {
-  return text.substr(0, beginning.size()) == beginning;
-}
-
 /// The text without blanks at its end.
 std::string_view without_blanks(std::string_view text) {
   while (!text.empty() && is_blank(text.back()))
     text.remove_suffix(1);
   return text;
-}
-
-bool is_text_column(std::string_view name) {
-  return std::find(text_columns.begin(), text_columns.end(), name) != text_columns.end();
 }
 
 } // namespace
@@ -168,69 +143,26 @@ void TextDumpReader::read_header(Frame& frame) {
   frame.units = m_units;
 }
 
-/// False when the line is no row of numbers.
-bool TextDumpReader::read_row(Frame& frame, std::string_view line, std::size_t row) const {
-  const char* place = line.data();
-  const char* const end = place + line.size();
-  const auto skip = [&](bool blanks) {
-    while (place < end && is_blank(*place) == blanks)
-      ++place;
-  };
-  for (std::size_t k = 0; k < m_is_text.size(); ++k) {
-    skip(true);
-    if (place == end)
-      return false;
-    if (m_is_text[k])
-      skip(false);
-    else if (!(place = read_number(place, end, frame.columns[k][row])))
-      return false;
-  }
-  skip(true);
-  return place == end;
-}
-
-/// What is wrong with a row that read_row refused.
-InputError TextDumpReader::refused_row(const Frame& frame, std::string_view line,
-                                       std::size_t row) const {
-  const std::string counts =
-      fmt::format("{} values in row {} of {}", frame.names.size(), row + 1, frame.rows);
-  std::string_view rest = line;
-  for (std::size_t k = 0; k < frame.names.size(); ++k) {
-    const std::string_view token = next_token(rest);
-    if (token.empty())
-      return unexpected(here(), counts, fmt::format("{}: {}", k, quoted(std::string(line))));
-    double value = 0.0;
-    if (!m_is_text[k] && !read_number(token.data(), token.data() + token.size(), value))
-      return unexpected(here(), fmt::format("a finite number in column \"{}\"", frame.names[k]),
-                        quoted(std::string(token)));
-  }
-  return unexpected(here(), counts, fmt::format("more: {}", quoted(std::string(line))));
-}
-
-void TextDumpReader::read_rows(Frame& frame) {
-  const std::size_t columns = frame.names.size();
-  frame.columns.resize(columns);
-  m_is_text.resize(columns);
-  for (std::size_t k = 0; k < columns; ++k)
-    m_is_text[k] = is_text_column(frame.names[k]);
-  std::size_t held = 0;
-  for (std::size_t row = 0; row < frame.rows; ++row) {
-    if (row == held) {
-      held = std::min(frame.rows, held + most_rows_ahead);
-      for (std::size_t k = 0; k < columns; ++k)
-        frame.columns[k].resize(m_is_text[k] ? 0 : held);
-    }
+/// Takes the rows as text; those of a frame that ends otherwise than with a last whole line, or is
+/// very large, are read here.
+void TextDumpReader::take_rows(Frame& frame) {
+  frame.unread.clear();
+  const std::size_t taken = m_lines.append_lines(frame.rows, row_stop, most_text, frame.unread);
+  if (taken == frame.rows && taken > 0)
+    return;
+  RowReader reader(frame);
+  reader.read_lines(frame.unread);
+  std::string().swap(frame.unread); // it may be very large
+  for (std::size_t row = taken; row < frame.rows; ++row) {
     std::string_view line;
     const bool more = next_line(line);
-    if (!more || starts_with(line, "ITEM:")) {
+    if (!more || starts_with(line, row_stop)) {
       const std::string expected = fmt::format("row {} of {}", row + 1, frame.rows);
       throw more ? unexpected(here(), expected, quoted(std::string(line))) : cut_off(expected);
     }
-    if (!read_row(frame, line, row))
-      throw refused_row(frame, line, row);
+    reader.read(line);
   }
-  for (auto& column : frame.columns)
-    column.resize(std::min(column.size(), frame.rows));
+  reader.finish();
 }
 
 /// From a frame's first line to "ITEM: TIMESTEP"; units and time may stand before it.
@@ -246,6 +178,13 @@ void TextDumpReader::read_preamble(Frame& frame, std::string_view line) {
 }
 
 bool TextDumpReader::next(Frame& frame) {
+  if (!next_unread(frame))
+    return false;
+  read_rows(frame);
+  return true;
+}
+
+bool TextDumpReader::next_unread(Frame& frame) {
   ++m_frame;
   std::string_view line;
   do { // blank lines between frames, as when files are joined
@@ -256,7 +195,7 @@ bool TextDumpReader::next(Frame& frame) {
   frame.place = here();
   read_header(frame);
   frame.place.line = m_lines.line_number() + 1;
-  read_rows(frame);
+  take_rows(frame);
   return true;
 }
 

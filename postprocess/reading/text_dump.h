@@ -9,14 +9,12 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace ellipsoid::post {
 
 /// Reads a text dump frame by frame in constant memory.
 ///
-/// Strict: every row has as many values as the header has columns, every value is a finite
-/// number (columns in `text_columns` excepted), the frame has as many rows as it announces.
+/// Strict: every row is what RowReader asks for, the frame has as many rows as it announces.
 /// Anything else throws InputError that names file, line, frame and what was expected; the
 /// frames given before stay valid.
 class TextDumpReader : public FrameReader {
@@ -25,6 +23,7 @@ class TextDumpReader : public FrameReader {
   explicit TextDumpReader(const std::string& path);
 
   bool next(Frame& frame) override;
+  bool next_unread(Frame& frame) override;
   std::uint64_t consumed() const override { return m_lines.consumed(); }
 
  private:
@@ -32,9 +31,7 @@ class TextDumpReader : public FrameReader {
   void read_preamble(Frame& frame, std::string_view line);
   bool read_section(Frame& frame, std::string_view title);
   void read_box(Frame& frame, std::string_view title);
-  void read_rows(Frame& frame);
-  bool read_row(Frame& frame, std::string_view line, std::size_t row) const;
-  InputError refused_row(const Frame& frame, std::string_view line, std::size_t row) const;
+  void take_rows(Frame& frame);
   InputError cut_off(const std::string& expected) const;
   bool next_line(std::string_view& line);
   std::string_view line_of(const char* expected);
@@ -44,8 +41,7 @@ class TextDumpReader : public FrameReader {
 
   LineReader m_lines;
   std::size_t m_frame = 0;
-  std::string m_units;         ///< stated once for all frames that follow
-  std::vector<char> m_is_text; ///< by column
+  std::string m_units; ///< stated once for all frames that follow
 };
 
 } // namespace ellipsoid::post

@@ -2,11 +2,12 @@
 //
 // Exact plane geometry of outlines against closed forms and brute force.
 #include "envelope.h"
+#include "lens_batch.h"
 #include "multisphere_template.h"
-#include "outline_crossings.h"
 #include "union_area.h"
 
 #include <cmath>
+#include <cstdio>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -108,6 +109,119 @@ TEST(Crossings, lie_on_both_outlines_and_none_is_missed) {
       }
   }
   EXPECT_GT(four_crossings, 100);
+}
+
+/// Angle from one direction to another, from 0 to 2 pi.
+double angle_of(const ArcInterval& arc) {
+  const double angle =
+      std::atan2(arc.end.sine, arc.end.cosine) - std::atan2(arc.begin.sine, arc.begin.cosine);
+  return angle < 0.0 ? angle + 2.0 * pi : angle;
+}
+
+void expect_same_arc(const ArcInterval& arc, const ArcInterval& expected) {
+  for (const auto& [end, wanted] :
+       {std::pair{arc.begin, expected.begin}, std::pair{arc.end, expected.end}}) {
+    EXPECT_NEAR(end.turn, wanted.turn, 1e-9);
+    EXPECT_NEAR(end.cosine, wanted.cosine, 1e-9); // small lenses: crossings at small angles
+    EXPECT_NEAR(end.sine, wanted.sine, 1e-9);
+  }
+  EXPECT_NEAR(angle_of(arc), angle_of(expected), 1e-9);
+}
+
+/// Pairs side by side, their gap or overlap from far to a millionth of their size; and crowds.
+std::vector<std::pair<PlaneEllipse, PlaneEllipse>> pairs_of_outlines() {
+  std::vector<std::pair<PlaneEllipse, PlaneEllipse>> pairs;
+  std::mt19937 generator(20104);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (int k = 0; k < 20000; ++k) {
+    const double direction = 2.0 * pi * uniform(generator);
+    PlaneEllipse i =
+        plane_ellipse(1.0 + 2.0 * uniform(generator), 1.0, 0.0, 0.0, 2.0 * pi * uniform(generator));
+    PlaneEllipse j = plane_ellipse(1.0 + 2.0 * uniform(generator), 1.0, std::cos(direction),
+                                   std::sin(direction), 2.0 * pi * uniform(generator));
+    double near = 0.0, far = 10.0; // the distance at which they touch
+    for (int halving = 0; halving < 50; ++halving) {
+      const double distance = 0.5 * (near + far);
+      j.centre = {distance * std::cos(direction), distance * std::sin(direction)};
+      std::vector<ArcInterval> of_i, of_j;
+      append_covered(i, j, of_i, of_j);
+      (of_i.empty() ? far : near) = distance;
+    }
+    const double change = (k % 2 == 0 ? -1.0 : 1.0) * std::pow(10.0, -6.0 * uniform(generator));
+    j.centre *= 1.0 + change;
+    pairs.emplace_back(i, j);
+  }
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    const auto shapes = crowd(seed, 12);
+    for (const auto& i : shapes)
+      for (const auto& j : shapes)
+        if (&i != &j)
+          pairs.emplace_back(i, j);
+  }
+  return pairs;
+}
+
+TEST(LensBatch, finds_what_the_search_of_single_pairs_finds) {
+  LensBatch batch;
+  std::size_t apart = 0, lenses = 0, begin = 0;
+  const auto pairs = pairs_of_outlines();
+  const auto look = [&] {
+    batch.solve();
+    for (int k = 0; k < batch.size(); ++k) {
+      const auto& [i, j] = pairs[begin + static_cast<std::size_t>(k)];
+      std::vector<ArcInterval> of_i, of_j;
+      append_covered(i, j, of_i, of_j);
+      const auto verdict = batch.verdict(k);
+      if (verdict == LensBatch::Verdict::apart) {
+        ++apart;
+        EXPECT_TRUE(of_i.empty() && of_j.empty());
+      }
+      if (verdict != LensBatch::Verdict::lens)
+        continue;
+      ++lenses;
+      ASSERT_EQ(of_i.size(), 1u);
+      ASSERT_EQ(of_j.size(), 1u);
+      expect_same_arc(batch.of_i(k), of_i.front());
+      expect_same_arc(batch.of_j(k), of_j.front());
+    }
+    begin += static_cast<std::size_t>(batch.size());
+    batch.clear();
+  };
+  for (const auto& [i, j] : pairs) {
+    batch.add(i, j);
+    if (batch.full())
+      look();
+  }
+  look();
+  EXPECT_EQ(begin, pairs.size());
+  std::printf("%zu pairs: %zu apart, %zu with a lens\n", begin, apart, lenses);
+  EXPECT_GT(apart, 12000u);
+  EXPECT_GT(lenses, 7000u); // deep overlaps are left to the other search
+}
+
+TEST(Green, arcs_of_a_turn_add_up_to_the_area) {
+  const PlaneEllipse shape = plane_ellipse(2.0, 0.7, 5.0, -3.0, 0.6);
+  const auto at = [](double t) {
+    return ArcEnd{turn_of(std::cos(t), std::sin(t)), std::cos(t), std::sin(t)};
+  };
+  EXPECT_EQ(green(shape, {turn_begin, turn_end}), shape.area());
+  for (const double width : {1e-7, 1e-3, 0.05, 0.099, 0.101, 1.0, 3.0, pi, 3.3, 4.0, 6.0, 6.2831}) {
+    double before = 0.0;
+    for (double t = 0.01; t < 2.0 * pi; t += 0.01) {
+      EXPECT_GT(at(t).turn, before);
+      before = at(t).turn;
+      if (t + width >= 2.0 * pi)
+        continue;
+      const double first = green(shape, {turn_begin, at(t)});
+      const double second = green(shape, {at(t), at(t + width)});
+      const double third = green(shape, {at(t + width), turn_end});
+      EXPECT_NEAR(first + second + third, shape.area(), 1e-13 * shape.area()) << t << ' ' << width;
+      // relative to the centre: the sector of the mapped circle
+      PlaneEllipse centred = shape;
+      centred.centre = {0.0, 0.0};
+      EXPECT_NEAR(green(centred, {at(t), at(t + width)}), 0.5 * shape.ux * shape.vy * width, 1e-14);
+    }
+  }
 }
 
 TEST(UnionArea, two_discs_have_the_lens_once) {

@@ -1,0 +1,46 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "first_look.h"
+
+#include "vector_columns.h"
+#include "vector_versions.h"
+
+namespace ellipsoid::post {
+namespace {
+
+using Columns = FirstLookBatch::Columns;
+
+inline void look_at_pair(Columns& columns, int k) {
+  using C = Columns;
+  const auto matrix = [&columns, k](int column) {
+    return SymmetricMatrix3{columns.in[column][k],     columns.in[column + 1][k],
+                            columns.in[column + 2][k], columns.in[column + 3][k],
+                            columns.in[column + 4][k], columns.in[column + 5][k]};
+  };
+  const SymmetricMatrix3 i = matrix(C::a_i), j = matrix(C::a_j);
+  const Vector3 d{columns.in[C::dx][k], columns.in[C::dy][k], columns.in[C::dz][k]};
+  const FirstLook first = first_look(i, j, d, 0.5);
+  const FirstLook second = first_look(i, j, d, first.next_lambda);
+  const Vector3& y = second.normal;
+  const double length = std::sqrt(dot(y, y));
+  const bool has_length = length > 0.0;
+  const double scale = 1.0 / (has_length ? length : 1.0);
+  columns.out[C::nx][k] = has_length ? scale * y.x : 1.0;
+  columns.out[C::ny][k] = scale * y.y;
+  columns.out[C::nz][k] = scale * y.z;
+  columns.out[C::apart][k] = first.are_apart | second.are_apart ? 1.0 : 0.0;
+  columns.out[C::touch][k] = first.touch | second.touch ? 1.0 : 0.0;
+}
+
+inline void look_loop(Columns& columns, int size) {
+#pragma GCC ivdep
+  for (int k = 0; k < size; ++k)
+    look_at_pair(columns, k);
+}
+
+ELLIPSOID_VECTOR_VERSIONS(look, Columns)
+
+} // namespace
+
+void FirstLookBatch::solve() { look(m_columns, filled_up(m_columns.in, m_size)); }
+
+} // namespace ellipsoid::post

@@ -1,0 +1,100 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Whether two ellipsoids touch, as far as a look or two tell before any search; many pairs at once.
+#pragma once
+
+#include "ellipsoid_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ellipsoid::post {
+
+/// What one look at two ellipsoids tells.
+struct FirstLook {
+  bool are_apart = false;   ///< proved by `normal`
+  bool touch = false;       ///< proved by a point inside both
+  Vector3 normal;           ///< from i to j, any length: near the contact's
+  double next_lambda = 0.5; ///< nearer to the maximum of the function
+};
+
+/// The function of Perram and Wertheim (1985, J. Comput. Phys. 58, 409) at one lambda: with
+/// y = ((1 - lambda) A_i + lambda A_j)^-1 d the point x_i + (1 - lambda) A_i y lies at the levels
+/// (1 - lambda)^2 s_i(y)^2 and lambda^2 s_j(y)^2 of the bodies (1: surface), and y is the normal
+/// of a plane that separates them when s_i(y) + s_j(y) < y.d.
+/// @param[in] i, j the bodies' matrices A (length^2), @param[in] d from i's centre to j's (length)
+inline FirstLook first_look(const SymmetricMatrix3& i, const SymmetricMatrix3& j, const Vector3& d,
+                            double lambda) {
+  // far above the rounding of the most slender bodies that are read (aspect ratio 1e4)
+  constexpr double well_inside = 1.0 - 1.0e-6;
+  const SymmetricMatrix3 g = (1.0 - lambda) * i + lambda * j;
+  const SymmetricMatrix3 adjugate{g.yy * g.zz - g.yz * g.yz, g.xx * g.zz - g.xz * g.xz,
+                                  g.xx * g.yy - g.xy * g.xy, g.xz * g.yz - g.xy * g.zz,
+                                  g.xy * g.yz - g.xz * g.yy, g.xy * g.xz - g.yz * g.xx};
+  const Vector3 y = adjugate * d; // times the determinant
+  const double s_i = std::sqrt(dot(y, i * y)), s_j = std::sqrt(dot(y, j * y));
+  const double determinant = g.xx * adjugate.xx + g.xy * adjugate.xy + g.xz * adjugate.xz;
+  const double sum = s_i + s_j;
+  const bool touch = std::max((1.0 - lambda) * s_i, lambda * s_j) < well_inside * determinant;
+  const double next_lambda = sum > 0.0 ? s_i / sum : lambda;
+  return {sum < dot(y, d), touch, {y.x, y.y, y.z}, next_lambda}; // number by number: vectors
+}
+
+/// Two looks at each of many pairs. All take the same operations: the compiler turns the loop into
+/// vector instructions.
+class FirstLookBatch {
+ public:
+  static constexpr int capacity = 64;
+  /// A cache line more: columns one power of two apart would all fall on the same few cache sets.
+  static constexpr int column_length = capacity + 8;
+
+  int size() const { return m_size; }
+  bool full() const { return m_size == capacity; }
+  void clear() { m_size = 0; }
+
+  /// @param[in] distance from i's centre to j's (length)
+  void add(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& distance);
+  void solve();
+
+  bool are_apart(int k) const { return m_columns.out[Columns::apart][k] != 0.0; }
+  bool touch(int k) const { return m_columns.out[Columns::touch][k] != 0.0; }
+  Vector3 distance(int k) const { return vector(m_columns.in, Columns::dx, k); }
+  /// Unit vector from i to j near the contact's normal; for pairs that are not apart.
+  Vector3 normal(int k) const { return vector(m_columns.out, Columns::nx, k); }
+
+  /// Columns of numbers, one per pair.
+  struct Columns {
+    enum Input { a_i, a_j = 6, dx = 12, dy, dz, input_count };
+    enum Result { nx, ny, nz, apart, touch, result_count };
+    alignas(64) double in[input_count][column_length];
+    alignas(64) double out[result_count][column_length];
+  };
+
+ private:
+  static Vector3 vector(const double (*columns)[column_length], int first, int k) {
+    return {columns[first][k], columns[first + 1][k], columns[first + 2][k]};
+  }
+
+  int m_size = 0;
+  Columns m_columns;
+};
+
+inline void FirstLookBatch::add(const EllipsoidShape& i, const EllipsoidShape& j,
+                                const Vector3& distance) {
+  const int k = m_size++;
+  const auto put_matrix = [this, k](int column, const SymmetricMatrix3& a) {
+    m_columns.in[column][k] = a.xx;
+    m_columns.in[column + 1][k] = a.yy;
+    m_columns.in[column + 2][k] = a.zz;
+    m_columns.in[column + 3][k] = a.xy;
+    m_columns.in[column + 4][k] = a.xz;
+    m_columns.in[column + 5][k] = a.yz;
+  };
+  put_matrix(Columns::a_i, i.a_matrix);
+  put_matrix(Columns::a_j, j.a_matrix);
+  m_columns.in[Columns::dx][k] = distance.x;
+  m_columns.in[Columns::dy][k] = distance.y;
+  m_columns.in[Columns::dz][k] = distance.z;
+}
+
+} // namespace ellipsoid::post

@@ -1,0 +1,44 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// The rows of a frame, from text to columns of numbers.
+#pragma once
+
+#include "frame.h"
+
+#include <string_view>
+#include <vector>
+
+namespace ellipsoid::post {
+
+/// Reads rows one after the other into the columns of a frame whose header is known.
+///
+/// Strict: a row has as many values as the header has columns, every value is a finite number
+/// (columns of words excepted). Anything else throws InputError that names file, line, frame and
+/// what was expected.
+class RowReader {
+ public:
+  /// @param[in,out] frame place (of its first row), rows and names are set; outlives the reader
+  explicit RowReader(Frame& frame);
+
+  /// @param[in] line without its end; the byte behind it is readable and no part of a number
+  void read(std::string_view line);
+  /// Whole lines, their ends included.
+  void read_lines(std::string_view text);
+  /// To be called after the last row.
+  void finish();
+
+ private:
+  void set_memory_aside();
+  bool take(std::string_view line);
+  FilePlace here() const;
+  InputError refused(std::string_view line) const;
+
+  Frame& m_frame;
+  std::size_t m_row = 0, m_held = 0;
+  std::vector<double*> m_values; ///< of each column; null for words
+};
+
+/// Reads the rows that a frame still holds as text, if any. Throws InputError.
+void read_rows(Frame& frame);
+
+} // namespace ellipsoid::post
