@@ -112,7 +112,7 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
         this->stay_awake(pair);
         continue;
       }
-      if (contact_.computeflag)
+      if (remembers())
         ellipsoid_host::store(-batch_.normal(k), &history[normal_x]);
       this->put_to_sleep(pair, gap);
     }
@@ -164,6 +164,10 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     batch_.clear();
   }
 
+  /// When a run is set up forces are evaluated without a step: this leaves no trace, so that a run may be
+  /// set up any number of times.
+  bool remembers() const { return contact_.computeflag && contact_.shearupdate; }
+
   struct PairAtHand {
     int i, j;
     int* flag;
@@ -178,7 +182,7 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
   /// Returns the gap between the surfaces, 0 if they touch.
   double treat_result(const PairAtHand& pair, const ellipsoid::ContactGeometry& geometry) {
     count(geometry, this->share(pair.j));
-    if (contact_.computeflag)
+    if (remembers())
       ellipsoid_host::store(-geometry.normal, &pair.history[normal_x]);
     if (geometry.status == ellipsoid::ContactStatus::separated) {
       forget(pair.i, pair.j, *pair.flag, pair.history);
@@ -213,7 +217,7 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     touching.is_flagged = pair.touched && flags_are_set_;
     if (!touching.is_flagged)
       *pair.flag |= CONTACT_SURFACE_MODEL;
-    if (contact_.computeflag && !pair.touched)
+    if (remembers() && !pair.touched)
       pair.history[was_touching] = 1.0;
     this->add_contact(touching, {geometry.normal, geometry.point, geometry.overlap,
                                  geometry.reduced_radius, geometry.curvature_radius_i,
