@@ -41,6 +41,6 @@ ELLIPSOID_VECTOR_VERSIONS(look, Columns)
 
 } // namespace
 
-void FirstLookBatch::solve() { look(m_columns, filled_up(m_columns.in, m_size)); }
+void FirstLookBatch::solve() { look(m_columns, filled_up(m_columns.in, size())); }
 
 } // namespace ellipsoid::post

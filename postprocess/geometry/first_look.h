@@ -3,6 +3,7 @@
 // Whether two ellipsoids touch, as far as a look or two tell before any search; many pairs at once.
 #pragma once
 
+#include "batch.h"
 #include "ellipsoid_contact.h"
 
 #include <algorithm>
@@ -42,16 +43,8 @@ inline FirstLook first_look(const SymmetricMatrix3& i, const SymmetricMatrix3& j
 
 /// Two looks at each of many pairs. All take the same operations: the compiler turns the loop into
 /// vector instructions.
-class FirstLookBatch {
+class FirstLookBatch : public Batch {
  public:
-  static constexpr int capacity = 64;
-  /// A cache line more: columns one power of two apart would all fall on the same few cache sets.
-  static constexpr int column_length = capacity + 8;
-
-  int size() const { return m_size; }
-  bool full() const { return m_size == capacity; }
-  void clear() { m_size = 0; }
-
   /// @param[in] distance from i's centre to j's (length)
   void add(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& distance);
   void solve();
@@ -75,13 +68,12 @@ class FirstLookBatch {
     return {columns[first][k], columns[first + 1][k], columns[first + 2][k]};
   }
 
-  int m_size = 0;
   Columns m_columns;
 };
 
 inline void FirstLookBatch::add(const EllipsoidShape& i, const EllipsoidShape& j,
                                 const Vector3& distance) {
-  const int k = m_size++;
+  const int k = next();
   const auto put_matrix = [this, k](int column, const SymmetricMatrix3& a) {
     m_columns.in[column][k] = a.xx;
     m_columns.in[column + 1][k] = a.yy;
