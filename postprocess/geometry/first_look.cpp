@@ -1,7 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "first_look.h"
 
-#include "vector_columns.h"
 #include "vector_versions.h"
 
 namespace ellipsoid::post {

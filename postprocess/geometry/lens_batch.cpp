@@ -1,7 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "lens_batch.h"
 
-#include "vector_columns.h"
 #include "vector_versions.h"
 
 #include <algorithm>
@@ -174,6 +173,6 @@ ELLIPSOID_VECTOR_VERSIONS(look, Columns)
 
 } // namespace
 
-void LensBatch::solve() { look(m_columns, filled_up(m_columns.in, m_size)); }
+void LensBatch::solve() { look(m_columns, filled_up(m_columns.in, size())); }
 
 } // namespace ellipsoid::post

@@ -13,25 +13,18 @@
 // instructions.
 #pragma once
 
+#include "batch.h"
 #include "outline_crossings.h"
 
 namespace ellipsoid::post {
 
-class LensBatch {
+class LensBatch : public Batch {
  public:
-  static constexpr int capacity = 64;
-  /// A cache line more: columns one power of two apart would all fall on the same few cache sets.
-  static constexpr int column_length = capacity + 8;
-
   enum class Verdict {
     unknown,
     apart, ///< neither crosses nor lies in the other
     lens,  ///< two crossings
   };
-
-  int size() const { return m_size; }
-  bool full() const { return m_size == capacity; }
-  void clear() { m_size = 0; }
 
   void add(const PlaneEllipse& i, const PlaneEllipse& j);
   /// Looks at all pairs added.
@@ -67,12 +60,11 @@ class LensBatch {
     return {arc_end(k, begin), arc_end(k, begin + 3)};
   }
 
-  int m_size = 0;
   Columns m_columns;
 };
 
 inline void LensBatch::add(const PlaneEllipse& i, const PlaneEllipse& j) {
-  const int k = m_size++;
+  const int k = next();
   const auto put = [this, k](int column, double value) { m_columns.in[column][k] = value; };
   put(Columns::dx, i.centre.x() - j.centre.x());
   put(Columns::dy, i.centre.y() - j.centre.y());

@@ -186,15 +186,9 @@ ELLIPSOID_VECTOR_VERSIONS(separate_all, Columns)
 
 } // namespace
 
-/// The last block is filled up with its first pair, which is there.
 void ContactBatch::fill_last_block() {
-  const int last = size() - size() % block;
-  for (int k = size(); k % block != 0; ++k) {
-    for (int column = 0; column < Columns::input_count; ++column)
-      columns_.in[column][k] = columns_.in[column][last];
-    for (int column = 0; column < Columns::result_count; ++column)
-      columns_.out[column][k] = columns_.out[column][last];
-  }
+  filled_up(columns_.in, size(), block);
+  filled_up(columns_.out, size(), block);
 }
 
 void ContactBatch::solve() {
