@@ -47,7 +47,7 @@ class MultisphereContactLoop : public EllipsoidContactLoop<MultisphereContactLoo
   /// A search finds the spheres that may touch within so many time steps if motions change as usual;
   /// within fewer steps for fine chains, where a gap has the more spheres the wider it is. It is no
   /// nearer nor farther than these shares of both radii of the bodies' middles.
-  static constexpr double look_ahead = 12.0, look_ahead_of_chain = 200.0;
+  static constexpr double look_ahead = 50.0, look_ahead_of_chain = 500.0;
   static constexpr double smallest_gap_share = 1e-4, largest_gap_share = 0.1;
 
   ellipsoid_host::MultisphereParticles particles_;
