@@ -41,9 +41,8 @@ private:
   bool planar_ = false; // motion in the xy plane only
   LIGGGHTS::ParticleArrays particles_; // of the half step in work
   ellipsoid::RotationBatch turns_;
-  ellipsoid::PlanarRotationBatch turns_in_plane_;
   int turning_[ellipsoid::RotationBatch::capacity]; // particles of the batch
-  std::vector<double> inertia_about_z_;              // after the last turn in the plane
+  std::vector<double> inverse_inertia_about_z_; // planar verlet: since lists were new
   bool gear_ = false;
   // of `integrator gear`, per atom: started (1) or not (0), then second to fifth derivative of x,
   // y, z
@@ -55,15 +54,13 @@ private:
   template <class Step> void step_in_plane(int i, Step step) const;
   class FixPropertyAtom* find_derivatives(const char* what) const;
   void kick(int i) const;
-  void kick_in_plane(int i) const;
-  void stop_out_of_plane(int i) const;
-  void keep_in_plane(int i) const;
   void turn(int i);
   void turn_waiting();
-  void turn_in_plane(int i);
-  void turn_waiting_in_plane();
-  void update_spin(int i) const;
-  double checked_inertia(int i, const ellipsoid::PlanarInertia& inertia) const;
+  void know_inertia_about_z();
+  void start_step_in_plane();
+  void end_step_in_plane();
+  void start_step_in_space();
+  void end_step_in_space();
   double inertia_about_z(int i) const;
   void start(int i) const;
   void predict(int i, const ellipsoid::Gear& gear) const;

@@ -75,21 +75,31 @@ inline Quaternion rotate_freely(const Quaternion& orientation, const Vector3& mo
 
 /// Moment of inertia about the space z axis, and how far z is from a principal axis.
 struct PlanarInertia {
-  double about_z;    ///< (mass length^2)
+  /// The principal moment itself (mass length^2): rounding of the orientation leaves no trace in it.
+  double about_z;
   double misaligned; ///< sine^2 of the angle between z and I z: 0 for every principal axis, also for
                      ///< any across the symmetry axis of a body with two equal moments
 };
 
+/// For bodies with a principal axis along z, which `misaligned` tells.
 inline PlanarInertia planar_inertia(const Quaternion& orientation, const Vector3& inertia) {
   const Vector3 z = rotation(orientation).to_body({0.0, 0.0, 1.0});
   const Vector3 momentum{inertia.x * z.x, inertia.y * z.y, inertia.z * z.z};
   const Vector3 across = cross(z, momentum);
-  return {dot(z, momentum), dot(across, across) / dot(momentum, momentum)};
+  // z lies along one axis, or between axes of equal moments: the first with more than this share of
+  // z. No common angle is near the limit, so that rounding does not change the choice.
+  const double share = 0.31 * dot(z, z);
+  const double about_z = z.x * z.x > share   ? inertia.x
+                         : z.y * z.y > share ? inertia.y
+                                             : inertia.z;
+  return {about_z, dot(across, across) / dot(momentum, momentum)};
 }
 
 /// Turns a body about the space z axis by `angle` (rad), second order in it, norm kept.
 inline Quaternion rotate_about_z(const Quaternion& q, double angle) {
-  return normalized(Quaternion{1.0, 0.0, 0.0, 0.5 * angle} * q);
+  const double half = 0.5 * angle; // (1 + half z) q
+  return normalized(Quaternion{q.w - half * q.z, q.x - half * q.y, q.y + half * q.x,
+                               q.z + half * q.w});
 }
 
 } // namespace ellipsoid

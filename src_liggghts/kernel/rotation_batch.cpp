@@ -47,25 +47,6 @@ inline void rotate_loop(RotationBatch::Columns& c, int size) {
 
 ELLIPSOID_VECTOR_VERSIONS(rotate, RotationBatch::Columns)
 
-inline void rotate_in_plane_loop(PlanarRotationBatch::Columns& c, int size) {
-  using C = PlanarRotationBatch::Columns;
-  const double time_step = c.time_step;
-#pragma GCC ivdep
-  for (int k = 0; k < size; ++k) {
-    const Quaternion q = quaternion_of(c, k);
-    const PlanarInertia inertia = planar_inertia(q, inertia_of(c, k));
-    const double rate = c.values[C::mz][k] / inertia.about_z;
-    const Quaternion turned = rotate_about_z(q, time_step * rate);
-    const PlanarInertia after = planar_inertia(turned, inertia_of(c, k));
-    put(c, turned, k);
-    c.values[C::rate][k] = rate;
-    c.values[C::about_z][k] = after.about_z;
-    c.values[C::misaligned][k] = after.misaligned;
-  }
-}
-
-ELLIPSOID_VECTOR_VERSIONS(rotate_in_plane, PlanarRotationBatch::Columns)
-
 } // namespace
 
 void RotationBatch::add(const Quaternion& orientation, const Vector3& momentum,
@@ -89,20 +70,5 @@ Vector3 RotationBatch::omega(int k) const {
   using C = Columns;
   return {columns_.values[C::wx][k], columns_.values[C::wy][k], columns_.values[C::wz][k]};
 }
-
-void PlanarRotationBatch::add(const Quaternion& orientation, double momentum_z,
-                              const Vector3& inertia) {
-  const int k = next();
-  put(columns_, orientation, k);
-  columns_.values[Columns::mz][k] = momentum_z;
-  put_inertia(columns_, inertia, k);
-}
-
-void PlanarRotationBatch::solve(double time_step) {
-  columns_.time_step = time_step;
-  rotate_in_plane(columns_, size());
-}
-
-Quaternion PlanarRotationBatch::orientation(int k) const { return quaternion_of(columns_, k); }
 
 } // namespace ellipsoid

@@ -32,32 +32,4 @@ private:
   Columns columns_;
 };
 
-/// planar_inertia() and rotate_about_z(): bodies that move in the xy plane.
-class PlanarRotationBatch : public Batch {
- public:
-  /// @param[in] momentum_z angular momentum about z, @param[in] inertia principal moments
-  void add(const Quaternion& orientation, double momentum_z, const Vector3& inertia);
-
-  /// Advances all bodies.
-  void solve(double time_step);
-
-  Quaternion orientation(int k) const; ///< of body k after the step
-  /// Angular velocity during the step (rad/time).
-  double rate(int k) const { return columns_.values[Columns::rate][k]; }
-  /// After the step.
-  PlanarInertia inertia(int k) const {
-    return {columns_.values[Columns::about_z][k], columns_.values[Columns::misaligned][k]};
-  }
-
-  /// Columns of numbers, one per body.
-  struct Columns {
-    enum Value { qw, qx, qy, qz, mz, ix, iy, iz, rate, about_z, misaligned, value_count };
-    alignas(64) double values[value_count][column_length];
-    double time_step;
-  };
-
-private:
-  Columns columns_;
-};
-
 } // namespace ellipsoid

@@ -44,39 +44,3 @@ TEST(RotationBatch, GivesTheBitsOfSingleBodies) {
     }
   }
 }
-
-TEST(PlanarRotationBatch, GivesTheBitsOfSingleBodies) {
-  std::mt19937_64 random(20201);
-  std::normal_distribution<double> gauss;
-  std::uniform_real_distribution<double> positive(0.1, 2.0);
-  const double time_step = 0.05;
-  for (const int count : {1, 7, 16, PlanarRotationBatch::capacity}) {
-    PlanarRotationBatch batch;
-    std::vector<Quaternion> orientations;
-    std::vector<double> momenta;
-    std::vector<Vector3> inertias;
-    for (int k = 0; k < count; ++k) {
-      orientations.push_back(
-          normalized(Quaternion{gauss(random), gauss(random), gauss(random), gauss(random)}));
-      momenta.push_back(gauss(random));
-      inertias.push_back({positive(random), positive(random), positive(random)});
-      batch.add(orientations.back(), momenta.back(), inertias.back());
-    }
-    batch.solve(time_step);
-    for (int k = 0; k < count; ++k) {
-      const auto index = static_cast<std::size_t>(k);
-      const PlanarInertia inertia = planar_inertia(orientations[index], inertias[index]);
-      const double rate = momenta[index] / inertia.about_z;
-      const Quaternion q = rotate_about_z(orientations[index], time_step * rate);
-      const Quaternion p = batch.orientation(k);
-      EXPECT_EQ(p.w, q.w);
-      EXPECT_EQ(p.x, q.x);
-      EXPECT_EQ(p.y, q.y);
-      EXPECT_EQ(p.z, q.z);
-      EXPECT_EQ(batch.rate(k), rate);
-      const PlanarInertia after = planar_inertia(q, inertias[index]);
-      EXPECT_EQ(batch.inertia(k).about_z, after.about_z);
-      EXPECT_EQ(batch.inertia(k).misaligned, after.misaligned);
-    }
-  }
-}
