@@ -38,7 +38,17 @@ ellipsoid::Quaternion turned_about_z(const ellipsoid::Quaternion& q, double angl
                     q);
 }
 
-/// Half a time step of force and torque in the plane. Motion in the plane is written number by
+/// Half a time step of force and torque.
+inline void kick(const ParticleArrays& p, int i, double half_step) {
+  const double *f = p.f[i], *torque = p.torque[i], scale = half_step / p.mass[i];
+  double *v = p.v[i], *momentum = p.angmom[i];
+  for (int k = 0; k < 3; ++k) {
+    v[k] += scale * f[k];
+    momentum[k] += half_step * torque[k];
+  }
+}
+
+/// The same in the plane. Motion in the plane is written number by
 /// number: what is copied as a whole right after it was stored in parts keeps the processor waiting.
 inline void kick_in_plane(const ParticleArrays& p, int i, double half_step) {
   const double *f = p.f[i], scale = half_step / p.mass[i];
@@ -129,8 +139,8 @@ void FixNVEEllipsoid::setup(int) {
       if (translation_->array_atom[i][0] == 0.0)
         start(i);
     });
-  else if (planar_)
-    know_inertia_about_z();
+  else
+    know_inertia();
 }
 
 void FixNVEEllipsoid::reset_dt() {
@@ -138,33 +148,11 @@ void FixNVEEllipsoid::reset_dt() {
   dtf = 0.5 * update->dt * force->ftm2v;
 }
 
-/// Half a time step of force and torque.
-inline void FixNVEEllipsoid::kick(int i) const {
-  const double* f = particles_.f[i];
-  const double* torque = particles_.torque[i];
-  double* v = particles_.v[i];
-  double* momentum = particles_.angmom[i];
-  const double scale = dtf / particles_.mass[i];
-  for (int k = 0; k < 3; ++k) {
-    v[k] += scale * f[k];
-    momentum[k] += dtf * torque[k];
-  }
-}
-
-/// Particles turn together with others: as soon as the batch is full, at the latest in
-/// turn_waiting().
-void FixNVEEllipsoid::turn(int i) {
-  turning_[turns_.size()] = i;
-  turns_.add(quaternion(particles_.quaternion[i]), vector(particles_.angmom[i]), vector(particles_.inertia[i]));
-  if (turns_.full())
-    turn_waiting();
-}
-
-void FixNVEEllipsoid::turn_waiting() {
+void FixNVEEllipsoid::turn_waiting(const ParticleArrays& particles) {
   turns_.solve(dtv);
   for (int k = 0; k < turns_.size(); ++k) {
-    store(turns_.orientation(k), particles_.quaternion[turning_[k]]);
-    store(turns_.omega(k), particles_.omega[turning_[k]]);
+    store(turns_.orientation(k), particles.quaternion[turning_[k]]);
+    store(turns_.omega(k), particles.omega[turning_[k]]);
   }
   turns_.clear();
 }
@@ -182,20 +170,24 @@ double FixNVEEllipsoid::inertia_about_z(int i) const {
   return inertia.about_z;
 }
 
-/// One over the moment of inertia about z of all particles that move; they keep their places until
-/// lists are new.
-__attribute__((noinline)) void FixNVEEllipsoid::know_inertia_about_z() {
-  inverse_inertia_about_z_.resize(static_cast<std::size_t>(atom->nlocal));
+std::size_t FixNVEEllipsoid::inverse_inertia_size() const {
+  return static_cast<std::size_t>(atom->nlocal) * (planar_ ? 1 : 3);
+}
+
+void FixNVEEllipsoid::know_inertia() {
+  inverse_inertia_.resize(inverse_inertia_size());
   for_each_atom([this](int i) {
-    inverse_inertia_about_z_[static_cast<std::size_t>(i)] = 1.0 / inertia_about_z(i);
+    if (planar_)
+      inverse_inertia_[static_cast<std::size_t>(i)] = 1.0 / inertia_about_z(i);
+    else
+      store(inverse(vector(atom->inertia[i])),
+            inverse_inertia_.data() + 3 * static_cast<std::size_t>(i));
   });
 }
 
 /// Everything that is done per particle is inlined.
 __attribute__((flatten)) void FixNVEEllipsoid::start_step_in_plane() {
-  if (inverse_inertia_about_z_.size() != static_cast<std::size_t>(atom->nlocal))
-    know_inertia_about_z();
-  const double *inverse_inertia = inverse_inertia_about_z_.data(), step = dtv, half_step = dtf;
+  const double *inverse_inertia = inverse_inertia_.data(), step = dtv, half_step = dtf;
   for_each_atom([=, p = ParticleArrays(*atom)](int i) {
     kick_in_plane(p, i, half_step);
     stop_out_of_plane(p, i);
@@ -209,9 +201,7 @@ __attribute__((flatten)) void FixNVEEllipsoid::start_step_in_plane() {
 
 /// Everything that is done per particle is inlined.
 __attribute__((flatten)) void FixNVEEllipsoid::end_step_in_plane() {
-  if (neighbor->ago == 0)
-    know_inertia_about_z();
-  const double *inverse_inertia = inverse_inertia_about_z_.data(), half_step = dtf;
+  const double *inverse_inertia = inverse_inertia_.data(), half_step = dtf;
   for_each_atom([=, p = ParticleArrays(*atom)](int i) {
     kick_in_plane(p, i, half_step);
     keep_in_plane(p, i);
@@ -319,30 +309,39 @@ void FixNVEEllipsoid::store_spin(int i, const ellipsoid::Vector3& omega) const {
         atom->angmom[i]);
 }
 
-/// Everything that is done per particle is inlined.
+/// Everything that is done per particle is inlined. Particles turn together with others: as soon as
+/// the batch is full.
 __attribute__((flatten)) void FixNVEEllipsoid::start_step_in_space() {
-  particles_ = ParticleArrays(*atom);
-  for_each_atom([this](int i) {
-    kick(i);
-    turn(i);
+  const double *inverse_inertia = inverse_inertia_.data(), step = dtv, half_step = dtf;
+  const ParticleArrays p(*atom);
+  for_each_atom([=](int i) {
+    kick(p, i, half_step);
     for (int k = 0; k < 3; ++k)
-      particles_.x[i][k] += dtv * particles_.v[i][k];
+      p.x[i][k] += step * p.v[i][k];
+    turning_[turns_.size()] = i;
+    turns_.add(quaternion(p.quaternion[i]), vector(p.angmom[i]),
+               vector(inverse_inertia + 3 * static_cast<std::ptrdiff_t>(i)));
+    if (turns_.full())
+      turn_waiting(p);
   });
-  turn_waiting();
+  turn_waiting(p);
 }
 
 /// Everything that is done per particle is inlined.
 __attribute__((flatten)) void FixNVEEllipsoid::end_step_in_space() {
-  particles_ = ParticleArrays(*atom);
-  for_each_atom([this](int i) {
-    kick(i);
-    store(angular_velocity(vector(particles_.angmom[i]), vector(particles_.inertia[i]),
-                           quaternion(particles_.quaternion[i])),
-          particles_.omega[i]);
+  const double *inverse_inertia = inverse_inertia_.data(), half_step = dtf;
+  for_each_atom([=, p = ParticleArrays(*atom)](int i) {
+    kick(p, i, half_step);
+    store(angular_velocity_by_inverse(vector(p.angmom[i]),
+                                      vector(inverse_inertia + 3 * static_cast<std::ptrdiff_t>(i)),
+                                      quaternion(p.quaternion[i])),
+          p.omega[i]);
   });
 }
 
 void FixNVEEllipsoid::initial_integrate(int) {
+  if (!gear_ && inverse_inertia_.size() != inverse_inertia_size())
+    know_inertia();
   if (gear_)
     for_each_atom([this, gear = ellipsoid::Gear(dtv)](int i) { predict(i, gear); });
   else if (planar_)
@@ -352,6 +351,8 @@ void FixNVEEllipsoid::initial_integrate(int) {
 }
 
 void FixNVEEllipsoid::final_integrate() {
+  if (!gear_ && neighbor->ago == 0)
+    know_inertia();
   if (gear_)
     for_each_atom([this, gear = ellipsoid::Gear(dtv)](int i) { correct(i, gear); });
   else if (planar_)

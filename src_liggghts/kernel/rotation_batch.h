@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Free rotation of many bodies at once: the functions of rigid_body.h in loops that the compiler turns
-// into vector instructions. The results are those of the functions, bit for bit.
+// Free rotation of many bodies at once: rotate_freely() in a loop that the compiler turns into vector
+// instructions. The results are those of the function, bit for bit.
 #pragma once
 
 #include "batch.h"
@@ -9,11 +9,11 @@
 
 namespace ellipsoid {
 
-/// rotate_freely() and angular_velocity().
 class RotationBatch : public Batch {
  public:
-  /// @param[in] momentum angular momentum (space frame), @param[in] inertia principal moments
-  void add(const Quaternion& orientation, const Vector3& momentum, const Vector3& inertia);
+  /// @param[in] momentum angular momentum (space frame)
+  /// @param[in] inverse_inertia inverse() of the principal moments
+  void add(const Quaternion& orientation, const Vector3& momentum, const Vector3& inverse_inertia);
 
   /// Advances all bodies.
   void solve(double time_step);
@@ -31,5 +31,36 @@ class RotationBatch : public Batch {
 private:
   Columns columns_;
 };
+
+// Inline, and number by number, as contact_batch.h.
+
+inline void RotationBatch::add(const Quaternion& orientation, const Vector3& momentum,
+                               const Vector3& inverse_inertia) {
+  using C = Columns;
+  const int k = next();
+  const auto put = [this, k](int column, double value) { columns_.values[column][k] = value; };
+  put(C::qw, orientation.w);
+  put(C::qx, orientation.x);
+  put(C::qy, orientation.y);
+  put(C::qz, orientation.z);
+  put(C::mx, momentum.x);
+  put(C::my, momentum.y);
+  put(C::mz, momentum.z);
+  put(C::ix, inverse_inertia.x);
+  put(C::iy, inverse_inertia.y);
+  put(C::iz, inverse_inertia.z);
+}
+
+inline Quaternion RotationBatch::orientation(int k) const {
+  using C = Columns;
+  const auto& values = columns_.values;
+  return {values[C::qw][k], values[C::qx][k], values[C::qy][k], values[C::qz][k]};
+}
+
+inline Vector3 RotationBatch::omega(int k) const {
+  using C = Columns;
+  const auto& values = columns_.values;
+  return {values[C::wx][k], values[C::wy][k], values[C::wz][k]};
+}
 
 } // namespace ellipsoid

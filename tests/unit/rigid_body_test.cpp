@@ -31,7 +31,7 @@ double distance(const Quaternion& p, const Quaternion& q) {
 
 Quaternion rotate_in_steps(Quaternion q, const Vector3& momentum, double time, int steps) {
   for (int k = 0; k < steps; ++k)
-    q = rotate_freely(q, momentum, moments, time / steps);
+    q = rotate_freely(q, momentum, inverse(moments), time / steps).orientation;
   return q;
 }
 
@@ -68,8 +68,8 @@ TEST(RigidBody, DerivativeIsHalfOmegaTimesQuaternion) {
   for (int k = 0; k < 200; ++k) {
     const Quaternion q = any_quaternion(random);
     const Vector3 momentum = any_vector(random);
-    const Quaternion later = rotate_freely(q, momentum, moments, h),
-                     earlier = rotate_freely(q, momentum, moments, -h);
+    const Quaternion later = rotate_freely(q, momentum, inverse(moments), h).orientation,
+                     earlier = rotate_freely(q, momentum, inverse(moments), -h).orientation;
     const Vector3 w = angular_velocity(momentum, moments, q);
     const Quaternion rate = Quaternion{0.0, 0.5 * w.x, 0.5 * w.y, 0.5 * w.z} * q;
     const Quaternion found{(later.w - earlier.w) / (2 * h), (later.x - earlier.x) / (2 * h),
@@ -97,13 +97,24 @@ TEST(RigidBody, NormIsKeptEnergyDoesNotDrift) {
   const double start = energy(q, momentum);
   double largest_early = 0.0, largest_late = 0.0;
   for (int k = 0; k < 200000; ++k) {
-    q = rotate_freely(q, momentum, moments, 0.01);
+    q = rotate_freely(q, momentum, inverse(moments), 0.01).orientation;
     EXPECT_NEAR(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, 1.0, 1e-15);
     double& largest = k < 100000 ? largest_early : largest_late;
     largest = std::max(largest, std::fabs(energy(q, momentum) / start - 1.0));
   }
   EXPECT_LT(largest_early, 1e-4);
   EXPECT_NEAR(largest_late / largest_early, 1.0, 0.01) << "the error of the energy grows";
+}
+
+TEST(RigidBody, FreeRotationGivesTheVelocityThere) {
+  std::mt19937 random(10);
+  for (const double step : {1e-4, 0.1, 3.0})
+    for (int k = 0; k < 1000; ++k) {
+      const Vector3 momentum = any_vector(random);
+      const auto [q, omega] = rotate_freely(any_quaternion(random), momentum, inverse(moments), step);
+      EXPECT_LT(norm(omega - angular_velocity(momentum, moments, q)), 4e-15 * norm(momentum));
+      EXPECT_NEAR(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, 1.0, 1e-15);
+    }
 }
 
 TEST(RigidBody, TimeReversible) {
