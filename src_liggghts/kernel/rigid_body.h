@@ -120,8 +120,8 @@ inline PlanarInertia planar_inertia(const Quaternion& orientation, const Vector3
 /// Turns a body about the space z axis by `angle` (rad), second order in it, norm kept.
 inline Quaternion rotate_about_z(const Quaternion& q, double angle) {
   const double half = 0.5 * angle; // (1 + half z) q
-  return normalized(Quaternion{q.w - half * q.z, q.x - half * q.y, q.y + half * q.x,
-                               q.z + half * q.w});
+  return normalized(
+      Quaternion{q.w - half * q.z, q.x - half * q.y, q.y + half * q.x, q.z + half * q.w});
 }
 
 } // namespace ellipsoid

@@ -111,7 +111,8 @@ TEST(RigidBody, FreeRotationGivesTheVelocityThere) {
   for (const double step : {1e-4, 0.1, 3.0})
     for (int k = 0; k < 1000; ++k) {
       const Vector3 momentum = any_vector(random);
-      const auto [q, omega] = rotate_freely(any_quaternion(random), momentum, inverse(moments), step);
+      const auto [q, omega] =
+          rotate_freely(any_quaternion(random), momentum, inverse(moments), step);
       EXPECT_LT(norm(omega - angular_velocity(momentum, moments, q)), 4e-15 * norm(momentum));
       EXPECT_NEAR(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, 1.0, 1e-15);
     }
