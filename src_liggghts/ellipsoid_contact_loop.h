@@ -43,12 +43,12 @@ using SearchHistory = std::vector<std::pair<std::string, bool>>;
 ///          - treat_new_lists(): then, with all pairs;
 ///          - asks_flags: false if every pair that stays awake touches and its flag is left alone;
 ///          - prefetch_particle(i): asks the processor for the data of a particle;
-///          - travels(): how far any point of each particle has moved at most since then;
+///          - clocks(): of the motion of the particles;
 ///          - look_at_woken(pairs): pairs that slept; each goes on sleeping by put_to_sleep(), or
 ///            stays awake by stay_awake();
-///          - treat_pair(i, j, place, flag, history) of a pair that is awake, `place` in the lists:
-///            returns a length by which the surfaces are apart at least, 0 if they touch or nothing
-///            is known; hands every contact to add_contact();
+///          - treat_pair(pair, flag, history) of a pair that is awake:
+///            returns whether it stays awake, puts it to sleep if not; hands every contact to
+///            add_contact();
 ///          - finish(): after the last pair.
 /// @tparam Model   the host's ContactModel<...>
 template <typename Surface, typename Model>
@@ -206,11 +206,7 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
 
   /// Returns whether the pair stays awake.
   bool treat(const AwakePair& pair) {
-    Surface& surface = static_cast<Surface&>(*this);
-    const double gap = surface.treat_pair(pair.i, pair.j, pair.place, *pair.flag, pair.history);
-    if (gap > 0.0)
-      put_to_sleep(pair, gap);
-    return !(gap > 0.0);
+    return static_cast<Surface&>(*this).treat_pair(pair, *pair.flag, pair.history);
   }
 
   void treat_all_pairs() {
@@ -241,7 +237,7 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
   void wake_pairs() {
     Surface& surface = static_cast<Surface&>(*this);
     woken_.clear();
-    sleeping_.wake(surface.travels(), [this](std::size_t place, int i, int j) {
+    sleeping_.wake(surface.clocks(), [this](std::size_t place, int i, int j) {
       woken_.push_back({place, i, j});
     });
     surface.look_at_woken(woken_);
@@ -249,9 +245,14 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
 
   void stay_awake(const ListPair& pair) { awake_.push_back(awake(pair)); }
 
-  /// @param[in] gap that both particles together have to travel (length)
-  void put_to_sleep(const ListPair& pair, double gap) {
-    sleeping_.sleep(pair.place, pair.i, gap, static_cast<const Surface&>(*this).travels());
+  /// @param[in] gap between the particles (length), @param[in] approach see MotionClocks (length)
+  void put_to_sleep(const ListPair& pair, double gap, double approach) {
+    sleeping_.sleep(pair.place, pair.i, gap, approach, static_cast<Surface&>(*this).clocks());
+  }
+
+  /// @param[in] normal unit, from i to j, along which the gap is measured
+  void put_to_sleep(const ListPair& pair, double gap, const ellipsoid::Vector3& normal) {
+    put_to_sleep(pair, gap, static_cast<Surface&>(*this).clocks().approach(pair.i, pair.j, normal));
   }
 
   /// The histories of pairs lie apart in memory: asked for in time, they are there when needed.

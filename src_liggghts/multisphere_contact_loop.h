@@ -44,7 +44,7 @@ class MultisphereContactLoop : public EllipsoidContactLoop<MultisphereContactLoo
   static constexpr bool asks_flags = true;
   using SpherePair = ellipsoid::ContactWatch::SpherePair;
 
-  /// A search finds the spheres that may touch within so many time steps at the present velocities;
+  /// A search finds the spheres that may touch within so many time steps if motions change as usual;
   /// within fewer steps for fine chains, where a gap has the more spheres the wider it is. It is no
   /// nearer nor farther than these shares of both radii of the bodies' middles.
   static constexpr double look_ahead = 12.0, look_ahead_of_chain = 200.0;
@@ -66,7 +66,7 @@ class MultisphereContactLoop : public EllipsoidContactLoop<MultisphereContactLoo
     __builtin_prefetch(Base::particles_.v[i]);
     __builtin_prefetch(Base::particles_.omega[i]);
   }
-  const ellipsoid::Travels& travels() const { return particles_.travels(); }
+  ellipsoid::MotionClocks& clocks() { return particles_.clocks(); }
   void treat_new_lists() { this->treat_all_pairs(); }
   void look_at_woken(const std::vector<typename Base::ListPair>& pairs) {
     for (const typename Base::ListPair& pair : pairs)
@@ -74,38 +74,45 @@ class MultisphereContactLoop : public EllipsoidContactLoop<MultisphereContactLoo
   }
   void finish() {}
 
-  double treat_pair(int i, int j, std::size_t pair, int& flag, double* history) {
-    const double travelled = travels().path(i) + travels().path(j);
+  bool treat_pair(const typename Base::ListPair& pair, int& flag, double* history) {
+    const int i = pair.i, j = pair.j;
     const ellipsoid::Vector3 distance = this->centre_distance(i, j);
-    if (watch_.is_due(pair, travelled)) {
-      const int tested = watch_.search(pair, travelled, particles_.pose(i), particles_.pose(j),
-                                       distance, search_gap(i, j));
-      counts_.values[ContactCounts::tested] += this->share(j) * tested;
-      if (flag)
-        recall_slots(i, j, pair, flag, history);
-    }
-    if (watch_.is_empty(pair)) {
-      flag = 0;
-      return watch_.until(pair) - travelled;
-    }
-    find_touching(i, j, pair, distance);
-    update_slots(i, j, pair, flag, history);
+    if (watch_.is_due(pair.place, clocks().time(i), clocks().time(j)) &&
+        !search(pair, distance, flag, history))
+      return false;
+    find_touching(i, j, pair.place, distance);
+    update_slots(i, j, pair.place, flag, history);
     if (!found_.empty())
       treat_contacts(i, j, distance, flag, history);
-    return 0.0;
+    return true;
   }
 
-  double search_gap(int i, int j) const {
-    const auto speed = [this](int k) {
-      const ellipsoid::ChainPose& pose = particles_.pose(k);
-      return norm(ellipsoid_host::vector(atom->v[k])) +
-             pose.scale * pose.chain->half_length() * norm(ellipsoid_host::vector(atom->omega[k]));
-    };
+  /// Returns whether there are spheres to test; the pair sleeps if not.
+  bool search(const typename Base::ListPair& pair, const ellipsoid::Vector3& distance, int& flag,
+              double* history) {
+    const int i = pair.i, j = pair.j;
+    const double approach = clocks().approach(i, j);
+    const ellipsoid::ContactWatch::Search result =
+        watch_.search(pair.place, particles_.pose(i), particles_.pose(j), distance,
+                      search_gap(i, j, approach));
+    counts_.values[ContactCounts::tested] += this->share(j) * result.tested;
+    if (flag)
+      recall_slots(i, j, pair.place, flag, history);
+    if (watch_.is_empty(pair.place)) {
+      flag = 0;
+      this->put_to_sleep(pair, result.gap, approach);
+      return false;
+    }
+    watch_.set_deadlines(pair.place, clocks().deadlines(i, j, result.gap, approach));
+    return true;
+  }
+
+  double search_gap(int i, int j, double approach) {
     const double radii = atom->shape[i][1] + atom->shape[j][1];
     const int spheres =
         std::max(particles_.pose(i).chain->count(), particles_.pose(j).chain->count());
     const double steps = std::min(look_ahead, look_ahead_of_chain / spheres);
-    return std::clamp(steps * this->update->dt * (speed(i) + speed(j)), smallest_gap_share * radii,
+    return std::clamp(clocks().gap_for(steps, i, j, approach), smallest_gap_share * radii,
                       largest_gap_share * radii);
   }
 

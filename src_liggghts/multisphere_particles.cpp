@@ -8,6 +8,7 @@
 #include "modify.h"
 #include "multisphere_watch.h"
 #include "neighbor.h"
+#include "update.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -110,19 +111,24 @@ bool MultisphereParticles::update() {
 void MultisphereParticles::begin_lists(std::size_t count) {
   poses_.resize(count);
   centres_.resize(count);
-  travels_.restart(count);
+  clocks_.restart(count);
+  const double time_step = lmp->update->dt;
   for (std::size_t i = 0; i < count; ++i) {
     poses_[i] = make_pose(static_cast<int>(i));
     centres_[i] = vector(atom->x[i]);
+    const double half_length = poses_[i].scale * poses_[i].chain->half_length();
+    clocks_.expect(i, {time_step * vector(atom->v[i]),
+                       time_step * half_length * norm(vector(atom->omega[i]))});
   }
 }
 
 void MultisphereParticles::move() {
+  clocks_.begin_step();
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     const ellipsoid::ChainPose before = poses_[i];
     const ellipsoid::Vector3 centre = vector(atom->x[i]);
     place(static_cast<int>(i), poses_[i]);
-    travels_.add(i, travel(before, poses_[i], centre - centres_[i]));
+    clocks_.advance(i, motion(before, poses_[i], centre - centres_[i]));
     centres_[i] = centre;
   }
 }

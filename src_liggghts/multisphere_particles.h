@@ -4,9 +4,9 @@
 #ifndef ELLIPSOID_MULTISPHERE_PARTICLES_H
 #define ELLIPSOID_MULTISPHERE_PARTICLES_H
 
+#include "motion_clocks.h"
 #include "multisphere_contact.h"
 #include "pointers.h"
-#include "sleeping_pairs.h"
 
 #include <array>
 #include <map>
@@ -38,8 +38,7 @@ public:
   /// @return whether the neighbour lists are new: what is remembered of particles is to be forgotten
   bool update();
   const ellipsoid::ChainPose& pose(int i) const { return poses_[static_cast<std::size_t>(i)]; }
-  /// How far any point of each particle has moved at most since the neighbour lists are there.
-  const ellipsoid::Travels& travels() const { return travels_; }
+  ellipsoid::MotionClocks& clocks() { return clocks_; }
   /// For make_pose() without update(): to be called once per time step.
   void find_properties();
   /// Pose of one owned particle.
@@ -50,7 +49,7 @@ private:
   std::map<Key, std::unique_ptr<ellipsoid::SphereChain>> chains_;
   std::vector<ellipsoid::ChainPose> poses_;
   std::vector<ellipsoid::Vector3> centres_; // at the last update
-  ellipsoid::Travels travels_;
+  ellipsoid::MotionClocks clocks_;
   LAMMPS_NS::FixPropertyAtom* subspheres_ = nullptr;
   LAMMPS_NS::FixPropertyAtom* spacing_ = nullptr;
 

@@ -10,7 +10,7 @@
 #include "contact_batch.h"
 #include "ellipsoid_contact_loop.h"
 #include "ellipsoid_shapes.h"
-#include "surface_paths.h"
+#include "surface_motions.h"
 
 namespace LIGGGHTS {
 
@@ -31,11 +31,12 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
   static constexpr bool asks_flags = false;
 
   EllipsoidShapes shapes_;
-  SurfacePaths paths_;
+  SurfaceMotions motions_;
   bool flags_are_set_ = false; // of all pairs that touched in the last step
 
   bool prepare() {
-    const bool new_lists = paths_.update(*this->atom, this->neighbor->ago == 0);
+    const bool new_lists =
+        motions_.update(*this->atom, this->update->dt, this->neighbor->ago == 0);
     shapes_.begin_step(*this->atom, new_lists);
     flags_are_set_ = !new_lists;
     return new_lists;
@@ -48,7 +49,7 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     __builtin_prefetch(this->particles_.v[i]);
     __builtin_prefetch(this->particles_.omega[i]);
   }
-  const ellipsoid::Travels& travels() const { return paths_.travels(); }
+  ellipsoid::MotionClocks& clocks() { return motions_.clocks(); }
 
   const ellipsoid::EllipsoidShape& shape(int i) { return shapes_[i]; }
 
@@ -81,7 +82,7 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
       double* history = this->history(pair);
       const double bounding_gap = this->bounding_gap(pair.i, pair.j, distance);
       if (bounding_gap > 0.0) {
-        this->put_to_sleep(pair, bounding_gap);
+        this->put_to_sleep(pair, bounding_gap, normalized(distance));
         continue;
       }
       const ellipsoid::Vector3 remembered = -ellipsoid_host::vector(&history[normal_x]);
@@ -114,7 +115,7 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
       }
       if (remembers())
         ellipsoid_host::store(-batch_.normal(k), &history[normal_x]);
-      this->put_to_sleep(pair, gap);
+      this->put_to_sleep(pair, gap, batch_.normal(k));
     }
     batch_.clear();
   }
@@ -122,7 +123,8 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
   /// A touching pair starts from its last normal, together with others. All others start from
   /// scratch: what a new contact is does not depend on what happened before it, nor on whether the
   /// run was interrupted.
-  double treat_pair(int i, int j, std::size_t, int& flag, double* history) {
+  bool treat_pair(const typename Base::ListPair& pair, int& flag, double* history) {
+    const int i = pair.i, j = pair.j;
     const ellipsoid::Vector3 distance = this->centre_distance(i, j);
     const ellipsoid::Vector3 remembered = -ellipsoid_host::vector(&history[normal_x]);
     const bool has_normal = dot(remembered, remembered) > 0.5; // unit vector, or zero
@@ -138,22 +140,29 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
       batch_.add(shape(i), shape(j), distance, remembered);
       if (batch_.full())
         finish();
-      return 0.0;
+      return true;
     }
     const double bounding_gap = this->bounding_gap(i, j, distance);
     if (bounding_gap > 0.0) {
       forget(i, j, flag, history);
-      return bounding_gap;
+      this->put_to_sleep(pair, bounding_gap, normalized(distance));
+      return false;
     }
     if (has_normal) {
       const double gap = -overlap_along(shape(i), shape(j), distance, remembered);
-      if (gap > 0.0)
-        return gap;
+      if (gap > 0.0) {
+        this->put_to_sleep(pair, gap, remembered);
+        return false;
+      }
     }
     ellipsoid::SearchOptions options;
     options.goal = ellipsoid::SearchGoal::distance; // the farther apart, the longer the pair sleeps
-    return treat_result({i, j, &flag, history, distance, false},
-                        find_contact(shape(i), shape(j), distance, options));
+    const ellipsoid::ContactGeometry contact = find_contact(shape(i), shape(j), distance, options);
+    treat_result({i, j, &flag, history, distance, false}, contact);
+    if (contact.status != ellipsoid::ContactStatus::separated)
+      return true;
+    this->put_to_sleep(pair, -contact.overlap, contact.normal);
+    return false;
   }
 
   /// The waiting pairs, in the order in which they came.
@@ -179,17 +188,15 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
   ellipsoid::ContactBatch batch_;
   PairAtHand waiting_[ellipsoid::ContactBatch::capacity];
 
-  /// Returns the gap between the surfaces, 0 if they touch.
-  double treat_result(const PairAtHand& pair, const ellipsoid::ContactGeometry& geometry) {
+  void treat_result(const PairAtHand& pair, const ellipsoid::ContactGeometry& geometry) {
     count(geometry, this->share(pair.j));
     if (remembers())
       ellipsoid_host::store(-geometry.normal, &pair.history[normal_x]);
     if (geometry.status == ellipsoid::ContactStatus::separated) {
       forget(pair.i, pair.j, *pair.flag, pair.history);
-      return -geometry.overlap;
+      return;
     }
     treat_contact(pair, geometry);
-    return 0.0;
   }
 
   void forget(int i, int j, int& flag, double* history) {

@@ -10,15 +10,14 @@ void ContactWatch::restart(std::size_t pairs) {
   spheres_.assign(1, SpherePair()); // the first place of pairs that have none
 }
 
-int ContactWatch::search(std::size_t pair, double travelled, const ChainPose& i,
-                         const ChainPose& j, const Vector3& centre_distance, double gap) {
+ContactWatch::Search ContactWatch::search(std::size_t pair, const ChainPose& i, const ChainPose& j,
+                                          const Vector3& centre_distance, double gap) {
   Watched& watched = watched_[pair];
   watched.count = 0;
+  watched.until = {0.0, 0.0};
   const double bound = smallest_gap(i, j, centre_distance);
-  if (bound > gap) {
-    watched.until = travelled + usable_share * bound;
-    return 0;
-  }
+  if (bound > gap)
+    return {usable_share * bound, 0};
   double nearest = gap;
   int tested = find(i, j, centre_distance, gap);
   if (found_.empty()) {
@@ -27,9 +26,8 @@ int ContactWatch::search(std::size_t pair, double travelled, const ChainPose& i,
         i, j, centre_distance, second_reach * gap,
         [&](int, int, double overlap) { nearest = std::fmin(nearest, -overlap); });
   }
-  watched.until = travelled + usable_share * nearest;
   keep_found(pair);
-  return tested;
+  return {usable_share * nearest, tested};
 }
 
 /// @return how many distances between spheres were computed

@@ -2,13 +2,13 @@
 //
 // Which pairs of spheres of two neighbouring chains have to be tested in a time step.
 //
-// A search (multisphere_contact.h) finds all pairs of spheres closer than a gap. Until both bodies
-// together have travelled that far, no other pair of spheres can touch, and a pair of chains without
-// such spheres needs no look at all. "Travelled" is the sum over all steps of travel(), which no
-// point of the body exceeds: the proof is exact, and what touches does not depend on when the last
-// search was.
+// A search (multisphere_contact.h) finds all pairs of spheres closer than a gap. Until both bodies may
+// have come closer by that much (motion_clocks.h), no other pair of spheres can touch, and a pair of
+// chains without such spheres needs no look at all. The proof is exact, and what touches does not
+// depend on when the last search was.
 #pragma once
 
+#include "motion_clocks.h"
 #include "multisphere_contact.h"
 
 #include <cstddef>
@@ -16,13 +16,13 @@
 
 namespace ellipsoid {
 
-/// How far any point of a body has moved at most (length).
+/// Motion of a body in a step.
 /// @param[in] displacement of its centre (length)
-inline double travel(const ChainPose& before, const ChainPose& after, const Vector3& displacement) {
+inline Motion motion(const ChainPose& before, const ChainPose& after, const Vector3& displacement) {
   const SphereChain& chain = *after.chain;
   const double grown = std::fabs(after.scale - before.scale);
-  return norm(displacement) + after.scale * chain.half_length() * norm(after.axis - before.axis) +
-         grown * (chain.half_length() + chain.largest_radius());
+  return {displacement, after.scale * chain.half_length() * norm(after.axis - before.axis) +
+                            grown * (chain.half_length() + chain.largest_radius())};
 }
 
 class ContactWatch {
@@ -34,7 +34,7 @@ class ContactWatch {
     short slot; ///< of its history; -1: none (the caller's)
   };
 
-  /// Travels are sums of many terms, and gaps good to search_rounding: a gap is used up to this share.
+  /// Gaps are good to search_rounding: a gap is used up to this share.
   static constexpr double usable_share = 1.0 - 1e-6;
   /// Where no spheres have to be tested a search looks so many times farther: the pair of chains rests
   /// until the nearest of them could touch.
@@ -44,21 +44,28 @@ class ContactWatch {
   void restart(std::size_t pairs);
 
   /// Whether a pair of chains must be searched again.
-  /// @param[in] travelled by both bodies since restart() (length)
-  bool is_due(std::size_t pair, double travelled) const {
-    return !(travelled < watched_[pair].until);
+  /// @param[in] time_i, time_j of the clocks of its bodies
+  bool is_due(std::size_t pair, double time_i, double time_j) const {
+    const Watched& watched = watched_[pair];
+    return !(time_i < watched.until.i && time_j < watched.until.j);
   }
-  /// Travelled distance at which the pair is due (length).
-  double until(std::size_t pair) const { return watched_[pair].until; }
-  /// Whether no spheres have to be tested until the pair is due.
+  /// Until then the pair is not due.
+  void set_deadlines(std::size_t pair, const MotionClocks::Deadlines& until) {
+    watched_[pair].until = until;
+  }
+  /// Whether the last search found no spheres to test.
   bool is_empty(std::size_t pair) const { return watched_[pair].count == 0; }
 
-  /// Searches the pair; all its spheres to test are without slot then, in ascending order.
+  struct Search {
+    double gap; ///< until the bodies are closer by so much no other spheres touch (length)
+    int tested; ///< distances between spheres that were computed
+  };
+  /// Searches the pair, which is due then until set_deadlines(); all its spheres to test are without slot,
+  /// in ascending order.
   /// @param[in] centre_distance x_j - x_i (length)
   /// @param[in] gap > 0: spheres closer than this are to be tested (length)
-  /// @return how many distances between spheres were computed
-  int search(std::size_t pair, double travelled, const ChainPose& i, const ChainPose& j,
-             const Vector3& centre_distance, double gap);
+  Search search(std::size_t pair, const ChainPose& i, const ChainPose& j,
+                const Vector3& centre_distance, double gap);
 
   /// Spheres to test, ordered by sphere_i, then sphere_j.
   SpherePair* begin(std::size_t pair) { return &spheres_[watched_[pair].first]; }
@@ -80,7 +87,7 @@ class ContactWatch {
 
  private:
   struct Watched {
-    double until = 0.0; ///< travelled distance at which it is due (length)
+    MotionClocks::Deadlines until{0.0, 0.0};
     unsigned first = 0; ///< of its places in spheres_
     int count = 0, room = 0;
   };

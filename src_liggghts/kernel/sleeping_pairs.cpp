@@ -5,9 +5,6 @@ namespace ellipsoid {
 
 namespace {
 
-/// Paths are sums of many terms, which are rounded: so much of a gap is relied upon.
-constexpr double trusted_share = 1.0 - 1e-9;
-
 /// The next smaller number of single precision, or one not far below.
 float rounded_down(double x) { return static_cast<float>(x * (1.0 - 1.2e-7)); }
 
@@ -47,25 +44,21 @@ void SleepingPairs::connect(std::size_t place, int i, int j) {
   twins_[twin] = {i, static_cast<std::uint32_t>(entry)};
 }
 
-void SleepingPairs::sleep(std::size_t place, int i, double gap, const Travels& travels) {
+void SleepingPairs::sleep(std::size_t place, int i, double gap, double approach,
+                          MotionClocks& clocks) {
   const Body& body = bodies_[static_cast<std::size_t>(i)];
-  divide(i, body.begin + (place - body.first_place), trusted_share * gap, travels);
+  const std::size_t entry = body.begin + (place - body.first_place);
+  const Twin twin = twins_[entry];
+  const MotionClocks::Deadlines until = clocks.deadlines(i, twin.body, gap, approach);
+  set_deadline(i, entry, until.i);
+  set_deadline(twin.body, twin.entry, until.j);
 }
 
-/// By their ways in the last step, but a sixth at least for each.
-void SleepingPairs::divide(int body, std::size_t entry, double left, const Travels& travels) {
-  constexpr double least_share = 1.0 / 6.0;
-  const Twin twin = twins_[entry];
-  const double way = travels.last(body), both = way + travels.last(twin.body);
-  const double share = both > 0.0 ? least_share + (1.0 - 2.0 * least_share) * (way / both) : 0.5;
-  const auto set = [&](int of, std::size_t at, double part) {
-    const float deadline = rounded_down(travels.path(of) + part);
-    deadlines_[at] = deadline;
-    float& least = looks_at_[static_cast<std::size_t>(of)];
-    least = std::min(least, deadline);
-  };
-  set(body, entry, share * left);
-  set(twin.body, twin.entry, (1.0 - share) * left);
+void SleepingPairs::set_deadline(int body, std::size_t entry, double time) {
+  const float deadline = rounded_down(time);
+  deadlines_[entry] = deadline;
+  float& least = looks_at_[static_cast<std::size_t>(body)];
+  least = std::min(least, deadline);
 }
 
 } // namespace ellipsoid

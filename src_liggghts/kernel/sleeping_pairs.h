@@ -2,11 +2,12 @@
 //
 // Pairs of neighbours that are apart, and when they have to be looked at again.
 //
-// Surfaces that are apart cannot touch before the two bodies together have travelled their gap:
-// until then the pair sleeps. Nobody has to ask every pair in every step: the gap is divided
-// between the two, each gets a deadline, and neither looks at the pair before its own path has
-// come to its deadline. The proof is exact whatever the shares are.
+// Bodies that are apart stay apart until the clock of one of them reaches a deadline (motion_clocks.h):
+// until then the pair sleeps. Nobody has to ask every pair in every step: a body looks at its pairs
+// only when its clock has come to the first of their deadlines.
 #pragma once
+
+#include "motion_clocks.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,28 +16,6 @@
 #include <vector>
 
 namespace ellipsoid {
-
-/// How far any point of each body has moved at most, as the sum over all steps since restart().
-class Travels {
- public:
-  /// All paths are 0.
-  void restart(std::size_t bodies) {
-    path_.assign(bodies, 0.0);
-    last_.assign(bodies, 0.0);
-  }
-  /// @param[in] way of the body in one step (length)
-  void add(std::size_t body, double way) {
-    path_[body] += way;
-    last_[body] = way;
-  }
-  std::size_t size() const { return path_.size(); }
-  double path(int body) const { return path_[static_cast<std::size_t>(body)]; }
-  /// Way in the last step (length).
-  double last(int body) const { return last_[static_cast<std::size_t>(body)]; }
-
- private:
-  std::vector<double> path_, last_;
-};
 
 class SleepingPairs {
  public:
@@ -55,14 +34,15 @@ class SleepingPairs {
   /// Place of the first pair with this `i`.
   std::size_t first_place(int i) const { return bodies_[static_cast<std::size_t>(i)].first_place; }
 
-  /// The pair of body `i` at this place sleeps until its bodies have travelled the gap (length, > 0).
-  void sleep(std::size_t place, int i, double gap, const Travels& travels);
+  /// The pair of body `i` at this place sleeps until its bodies may have come as close as the gap.
+  /// @param[in] gap > 0, @param[in] approach in a step, see MotionClocks (length)
+  void sleep(std::size_t place, int i, double gap, double approach, MotionClocks& clocks);
 
   /// Wakes the pairs that are due: on_due(place, i, j) for each.
-  template <class OnDue> void wake(const Travels& travels, const OnDue& on_due) {
+  template <class OnDue> void wake(const MotionClocks& clocks, const OnDue& on_due) {
     for (std::size_t body = 0; body < looks_at_.size(); ++body)
-      if (travels.path(static_cast<int>(body)) >= looks_at_[body])
-        look(static_cast<int>(body), travels, on_due);
+      if (clocks.time(static_cast<int>(body)) >= looks_at_[body])
+        look(static_cast<int>(body), clocks, on_due);
   }
 
  private:
@@ -82,36 +62,29 @@ class SleepingPairs {
   std::vector<Body> bodies_;
   std::size_t size_ = 0;
   std::vector<float> looks_at_;  ///< least deadline of each body
-  std::vector<float> deadlines_; ///< by entry: path of the body (length); never: the pair is awake
+  std::vector<float> deadlines_; ///< by entry: time of the body; never: the pair is awake
   std::vector<Twin> twins_;      ///< by entry
 
   void begin(std::size_t bodies);
   void count(int i, int j);
   void make_room();
   void connect(std::size_t place, int i, int j);
-  void divide(int body, std::size_t entry, double left, const Travels& travels);
+  void set_deadline(int body, std::size_t entry, double time);
 
-  template <class OnDue> void look(int body, const Travels& travels, const OnDue& on_due) {
+  template <class OnDue> void look(int body, const MotionClocks& clocks, const OnDue& on_due) {
     const Body& own = bodies_[static_cast<std::size_t>(body)];
-    const double path = travels.path(body);
-    for (std::size_t entry = own.begin; entry < own.end(); ++entry)
-      if (deadlines_[entry] <= path)
-        look_at_pair(body, entry, travels, on_due);
+    const double time = clocks.time(body);
     float least = never;
-    for (std::size_t entry = own.begin; entry < own.end(); ++entry)
+    for (std::size_t entry = own.begin; entry < own.end(); ++entry) {
+      if (deadlines_[entry] <= time)
+        wake_pair(body, entry, on_due);
       least = std::min(least, deadlines_[entry]);
+    }
     looks_at_[static_cast<std::size_t>(body)] = least;
   }
 
-  template <class OnDue>
-  void look_at_pair(int body, std::size_t entry, const Travels& travels, const OnDue& on_due) {
+  template <class OnDue> void wake_pair(int body, std::size_t entry, const OnDue& on_due) {
     const Twin twin = twins_[entry];
-    const double until = static_cast<double>(deadlines_[entry]) + deadlines_[twin.entry];
-    const double left = until - (travels.path(body) + travels.path(twin.body));
-    if (left > 0.0) {
-      divide(body, entry, left, travels);
-      return;
-    }
     deadlines_[entry] = deadlines_[twin.entry] = never;
     const Body &own = bodies_[static_cast<std::size_t>(body)],
                &other = bodies_[static_cast<std::size_t>(twin.body)];

@@ -11,7 +11,7 @@ from scripts import SPHERE
 PARTS = (
     ("contact law", r"tangential_force|advance_spring|add_contact_force|TangentialModel|NormalModel|"
                     r"surfacesIntersectNonSpherical|\blaw_|ContactLawBatch|apply_waiting_contacts"),
-    ("contact geometry", r"ellipsoid::(?!.*(?:rotat|turn|angular|inertia|Rotation))|SurfacePaths|"
+    ("contact geometry", r"ellipsoid::(?!.*(?:rotat|turn|angular|inertia|Rotation))|SurfaceMotions|"
                          r"EllipsoidShapes|"
                          r"MathExtraLiggghtsNonspherical|SurfaceModel<|MultisphereParticles|"
                          r"update_shapes|\bSuperquadric::"),

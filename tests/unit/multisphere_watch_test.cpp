@@ -109,18 +109,23 @@ TEST_P(Watch, KnowsEveryContactBetweenSearches) {
   Tumbling bodies(one, other);
   ContactWatch watch;
   watch.restart(3);
-  double travelled = 0.0;
+  MotionClocks clocks;
+  clocks.restart(2);
   int searches = 0, touching = 0, contacts_begun = 0, rests = 0;
   Pairs before;
   constexpr int steps = 100000;
   for (int step = 0; step < steps; ++step) {
     const Tumbling last = bodies;
     bodies.move(0.002);
-    travelled += travel(last.i, bodies.i, {}) +
-                 travel(last.j, bodies.j, bodies.centre_distance - last.centre_distance);
-    if (watch.is_due(1, travelled)) {
+    clocks.begin_step();
+    clocks.advance(0, motion(last.i, bodies.i, {}));
+    clocks.advance(1, motion(last.j, bodies.j, bodies.centre_distance - last.centre_distance));
+    if (watch.is_due(1, clocks.time(0), clocks.time(1))) {
       ++searches;
-      watch.search(1, travelled, bodies.i, bodies.j, bodies.centre_distance, 0.03);
+      const auto [gap, tested] =
+          watch.search(1, bodies.i, bodies.j, bodies.centre_distance, 0.03);
+      EXPECT_GE(tested, 0);
+      watch.set_deadlines(1, clocks.deadlines(0, 1, gap, clocks.approach(0, 1)));
     }
     const Pairs truth = closer_than(0.0, bodies.i, bodies.j, bodies.centre_distance);
     ASSERT_EQ(watched(watch, bodies), truth) << "step " << step << ", seed " << seed;
@@ -144,24 +149,26 @@ TEST(ContactWatch, ForgetsAndStartsDue) {
   const SphereChain five = chain(5);
   ContactWatch watch;
   watch.restart(2);
-  EXPECT_TRUE(watch.is_due(0, 0.0));
+  EXPECT_TRUE(watch.is_due(0, 0.0, 0.0));
   EXPECT_TRUE(watch.is_empty(0));
   const ChainPose pose{&five, {1.0, 0.0, 0.0}, 1.0};
-  watch.search(0, 0.0, pose, pose, {0.0, 1.9, 0.0}, 0.01);
+  EXPECT_NEAR(watch.search(0, pose, pose, {0.0, 1.9, 0.0}, 0.01).gap, 0.01, 1e-7);
   EXPECT_FALSE(watch.is_empty(0));
-  EXPECT_FALSE(watch.is_due(0, 0.0));
-  EXPECT_TRUE(watch.is_due(0, 0.01));
-  EXPECT_TRUE(watch.is_due(1, 0.0));
-  watch.search(1, 0.0, pose, pose, {0.0, 3.0, 0.0}, 0.01); // a gap of 1 to the capsule
+  EXPECT_TRUE(watch.is_due(0, 0.0, 0.0));
+  watch.set_deadlines(0, {1.0, 2.0});
+  EXPECT_FALSE(watch.is_due(0, 0.99, 1.99));
+  EXPECT_TRUE(watch.is_due(0, 1.0, 0.0));
+  EXPECT_TRUE(watch.is_due(0, 0.0, 2.0));
+  EXPECT_TRUE(watch.is_due(1, 0.0, 0.0));
+  // 1 between the capsules
+  EXPECT_NEAR(watch.search(1, pose, pose, {0.0, 3.0, 0.0}, 0.01).gap, 1.0, 1e-5);
   EXPECT_TRUE(watch.is_empty(1));
-  EXPECT_FALSE(watch.is_due(1, 0.99));
-  EXPECT_TRUE(watch.is_due(1, 1.01));
   watch.restart(2);
-  EXPECT_TRUE(watch.is_due(0, 0.0));
+  EXPECT_TRUE(watch.is_due(0, 0.0, 0.0));
   EXPECT_TRUE(watch.is_empty(0));
 }
 
-TEST(ContactWatch, TravelBoundsEverySphere) {
+TEST(ContactWatch, MotionBoundsEverySphere) {
   const SphereChain nine = chain(9);
   Random random;
   for (int pose = 0; pose < 10000; ++pose) {
@@ -173,7 +180,8 @@ TEST(ContactWatch, TravelBoundsEverySphere) {
       const Vector3 way = displacement + (after.scale * nine.centre(k)) * after.axis -
                           (before.scale * nine.centre(k)) * before.axis;
       const double grown = std::fabs(after.scale - before.scale) * nine.radius(k);
-      EXPECT_LE(norm(way) + grown, travel(before, after, displacement) * (1.0 + 1e-14));
+      const Motion bound = motion(before, after, displacement);
+      EXPECT_LE(norm(way - bound.displacement) + grown, bound.turn * (1.0 + 1e-14) + 1e-15);
     }
   }
 }

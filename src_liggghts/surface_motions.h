@@ -1,0 +1,40 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// How the surface of each particle moves from step to step.
+#ifndef SURFACE_MOTIONS_H_
+#define SURFACE_MOTIONS_H_
+
+#include "motion_clocks.h"
+
+#include <vector>
+
+namespace LAMMPS_NS {
+class Atom;
+}
+
+namespace LIGGGHTS {
+
+/// In a step a particle is displaced with its centre, and turns by the angle between its two orientations,
+/// whatever moved it. What counts is how far it reaches in a direction: when it turns by an angle, that
+/// changes by at most the angle times the difference of the largest and the smallest semi-axis.
+class SurfaceMotions {
+public:
+  /// Takes the motion since the last call; owned and ghost particles.
+  /// @param[in] new_lists the indices of the particles may have changed: all clocks start anew
+  /// @return whether they did (also when the number of particles has changed)
+  bool update(const LAMMPS_NS::Atom& atom, double time_step, bool new_lists);
+  ellipsoid::MotionClocks& clocks() { return clocks_; }
+
+private:
+  struct Pose {
+    double x[3], quaternion[4];
+  };
+  std::vector<Pose> poses_; // at the last call
+  ellipsoid::MotionClocks clocks_;
+
+  void restart(const LAMMPS_NS::Atom& atom, double time_step, std::size_t count);
+};
+
+} // namespace LIGGGHTS
+
+#endif
