@@ -38,6 +38,39 @@ ellipsoid::Quaternion turned_about_z(const ellipsoid::Quaternion& q, double angl
                     q);
 }
 
+/// Half a time step of force and torque.
+inline void kick(const ParticleArrays& p, int i, double half_step) {
+  const double *f = p.f[i], *torque = p.torque[i], scale = half_step / p.mass[i];
+  double *v = p.v[i], *momentum = p.angmom[i];
+  for (int k = 0; k < 3; ++k) {
+    v[k] += scale * f[k];
+    momentum[k] += half_step * torque[k];
+  }
+}
+
+/// The same in the plane. Motion in the plane is written number by
+/// number: what is copied as a whole right after it was stored in parts keeps the processor waiting.
+inline void kick_in_plane(const ParticleArrays& p, int i, double half_step) {
+  const double *f = p.f[i], scale = half_step / p.mass[i];
+  double* v = p.v[i];
+  v[0] += scale * f[0];
+  v[1] += scale * f[1];
+  p.angmom[i][2] += half_step * p.torque[i][2];
+}
+
+/// Velocities out of the plane: they would bring forces.
+inline void stop_out_of_plane(const ParticleArrays& p, int i) {
+  p.v[i][2] = p.omega[i][0] = p.omega[i][1] = 0.0;
+}
+
+/// Takes out what rounding (or a force out of the plane) has put in.
+inline void keep_in_plane(const ParticleArrays& p, int i) {
+  stop_out_of_plane(p, i);
+  p.f[i][2] = 0.0;
+  for (int k = 0; k < 2; ++k)
+    p.torque[i][k] = p.angmom[i][k] = 0.0;
+}
+
 } // namespace
 
 FixNVEEllipsoid::FixNVEEllipsoid(LAMMPS* lmp, int narg, char** arg) : FixNVE(lmp, narg, arg) {
@@ -101,12 +134,13 @@ template <class Action> void FixNVEEllipsoid::for_each_atom(Action action) const
 }
 
 void FixNVEEllipsoid::setup(int) {
-  particles_ = ParticleArrays(*atom);
   if (gear_)
     for_each_atom([this](int i) {
       if (translation_->array_atom[i][0] == 0.0)
         start(i);
     });
+  else
+    know_inertia();
 }
 
 void FixNVEEllipsoid::reset_dt() {
@@ -114,62 +148,19 @@ void FixNVEEllipsoid::reset_dt() {
   dtf = 0.5 * update->dt * force->ftm2v;
 }
 
-/// Half a time step of force and torque.
-inline void FixNVEEllipsoid::kick(int i) const {
-  const double* f = particles_.f[i];
-  const double* torque = particles_.torque[i];
-  double* v = particles_.v[i];
-  double* momentum = particles_.angmom[i];
-  const double scale = dtf / particles_.mass[i];
-  for (int k = 0; k < 3; ++k) {
-    v[k] += scale * f[k];
-    momentum[k] += dtf * torque[k];
-  }
-}
-
-/// The same for motion in the plane.
-inline void FixNVEEllipsoid::kick_in_plane(int i) const {
-  const double* f = particles_.f[i];
-  double* v = particles_.v[i];
-  const double scale = dtf / particles_.mass[i];
-  v[0] += scale * f[0];
-  v[1] += scale * f[1];
-  particles_.angmom[i][2] += dtf * particles_.torque[i][2];
-}
-
-/// Velocities out of the plane: they would bring forces.
-inline void FixNVEEllipsoid::stop_out_of_plane(int i) const {
-  particles_.v[i][2] = particles_.omega[i][0] = particles_.omega[i][1] = 0.0;
-}
-
-/// Takes out what rounding (or a force out of the plane) has put in.
-inline void FixNVEEllipsoid::keep_in_plane(int i) const {
-  stop_out_of_plane(i);
-  particles_.f[i][2] = 0.0;
-  for (int k = 0; k < 2; ++k)
-    particles_.torque[i][k] = particles_.angmom[i][k] = 0.0;
-}
-
-/// Particles turn together with others: as soon as the batch is full, at the latest in
-/// turn_waiting().
-void FixNVEEllipsoid::turn(int i) {
-  turning_[turns_.size()] = i;
-  turns_.add(quaternion(particles_.quaternion[i]), vector(particles_.angmom[i]), vector(particles_.inertia[i]));
-  if (turns_.full())
-    turn_waiting();
-}
-
-void FixNVEEllipsoid::turn_waiting() {
+void FixNVEEllipsoid::turn_waiting(const ParticleArrays& particles) {
   turns_.solve(dtv);
   for (int k = 0; k < turns_.size(); ++k) {
-    store(turns_.orientation(k), particles_.quaternion[turning_[k]]);
-    store(turns_.omega(k), particles_.omega[turning_[k]]);
+    store(turns_.orientation(k), particles.quaternion[turning_[k]]);
+    store(turns_.omega(k), particles.omega[turning_[k]]);
   }
   turns_.clear();
 }
 
 /// The moment of inertia about z; stops if z is no principal axis.
-double FixNVEEllipsoid::checked_inertia(int i, const ellipsoid::PlanarInertia& inertia) const {
+double FixNVEEllipsoid::inertia_about_z(int i) const {
+  const ellipsoid::PlanarInertia inertia =
+      planar_inertia(quaternion(atom->quaternion[i]), vector(atom->inertia[i]));
   if (inertia.misaligned > largest_misalignment)
     error->one(FLERR, ("Fix nve/ellipsoid (id " + std::string(id) + "): planar yes, but atom " +
                        std::to_string(atom->tag[i]) +
@@ -179,54 +170,50 @@ double FixNVEEllipsoid::checked_inertia(int i, const ellipsoid::PlanarInertia& i
   return inertia.about_z;
 }
 
-double FixNVEEllipsoid::inertia_about_z(int i) const {
-  return checked_inertia(
-      i, planar_inertia(quaternion(atom->quaternion[i]), vector(atom->inertia[i])));
+std::size_t FixNVEEllipsoid::inverse_inertia_size() const {
+  return static_cast<std::size_t>(atom->nlocal) * (planar_ ? 1 : 3);
 }
 
-void FixNVEEllipsoid::turn_in_plane(int i) {
-  turning_[turns_in_plane_.size()] = i;
-  turns_in_plane_.add(quaternion(particles_.quaternion[i]), particles_.angmom[i][2],
-                      vector(particles_.inertia[i]));
-  if (turns_in_plane_.full())
-    turn_waiting_in_plane();
+void FixNVEEllipsoid::know_inertia() {
+  inverse_inertia_.resize(inverse_inertia_size());
+  for_each_atom([this](int i) {
+    if (planar_)
+      inverse_inertia_[static_cast<std::size_t>(i)] = 1.0 / inertia_about_z(i);
+    else
+      store(inverse(vector(atom->inertia[i])),
+            inverse_inertia_.data() + 3 * static_cast<std::size_t>(i));
+  });
 }
 
-void FixNVEEllipsoid::turn_waiting_in_plane() {
-  turns_in_plane_.solve(dtv);
-  for (int k = 0; k < turns_in_plane_.size(); ++k) {
-    const int i = turning_[k];
-    inertia_about_z_[static_cast<std::size_t>(i)] =
-        checked_inertia(i, turns_in_plane_.inertia(k));
-    store(turns_in_plane_.orientation(k), particles_.quaternion[i]);
-    particles_.omega[i][2] = turns_in_plane_.rate(k);
-  }
-  turns_in_plane_.clear();
+/// Everything that is done per particle is inlined.
+__attribute__((flatten)) void FixNVEEllipsoid::start_step_in_plane() {
+  const double *inverse_inertia = inverse_inertia_.data(), step = dtv, half_step = dtf;
+  for_each_atom([=, p = ParticleArrays(*atom)](int i) {
+    kick_in_plane(p, i, half_step);
+    stop_out_of_plane(p, i);
+    for (int k = 0; k < 2; ++k)
+      p.x[i][k] += step * p.v[i][k];
+    const double rate = p.angmom[i][2] * inverse_inertia[i];
+    p.omega[i][2] = rate;
+    store(rotate_about_z(quaternion(p.quaternion[i]), step * rate), p.quaternion[i]);
+  });
 }
 
-/// The angular velocity of the angular momentum at the end of the step. In the plane the moment of
-/// inertia is known from the turn, but atoms have other indices when lists are new: then it is
-/// computed again, with the same result.
-void FixNVEEllipsoid::update_spin(int i) const {
-  if (!planar_) {
-    store(angular_velocity(vector(particles_.angmom[i]), vector(particles_.inertia[i]),
-                           quaternion(particles_.quaternion[i])),
-          particles_.omega[i]);
-    return;
-  }
-  const bool known = neighbor->ago > 0 && static_cast<std::size_t>(i) < inertia_about_z_.size();
-  const double inertia = known ? inertia_about_z_[static_cast<std::size_t>(i)]
-                               : planar_inertia(quaternion(particles_.quaternion[i]),
-                                                vector(particles_.inertia[i]))
-                                     .about_z;
-  particles_.omega[i][2] = particles_.angmom[i][2] / inertia;
+/// Everything that is done per particle is inlined.
+__attribute__((flatten)) void FixNVEEllipsoid::end_step_in_plane() {
+  const double *inverse_inertia = inverse_inertia_.data(), half_step = dtf;
+  for_each_atom([=, p = ParticleArrays(*atom)](int i) {
+    kick_in_plane(p, i, half_step);
+    keep_in_plane(p, i);
+    p.omega[i][2] = p.angmom[i][2] * inverse_inertia[i];
+  });
 }
 
 /// Derivatives of a particle that has none: of constant force, and of a torque that is constant in
 /// the body frame.
 void FixNVEEllipsoid::start(int i) const {
   if (planar_)
-    keep_in_plane(i);
+    keep_in_plane(ParticleArrays(*atom), i);
   double *linear = translation_->array_atom[i], *angular = rotation_->array_atom[i];
   std::fill(linear, linear + translation_values, 0.0);
   std::fill(angular, angular + rotation_values, 0.0);
@@ -285,7 +272,7 @@ void FixNVEEllipsoid::correct(int i, const ellipsoid::Gear& gear) const {
     return;
   }
   if (planar_)
-    keep_in_plane(i);
+    keep_in_plane(ParticleArrays(*atom), i);
   double* linear = translation_->array_atom[i] + 1;
   for (int k = 0; k < 3; ++k)
     gear.correct(atom->x[i][k], atom->v[i][k], linear + derivative_count * k,
@@ -322,50 +309,56 @@ void FixNVEEllipsoid::store_spin(int i, const ellipsoid::Vector3& omega) const {
         atom->angmom[i]);
 }
 
-/// Everything that is done per particle is inlined.
-__attribute__((flatten)) void FixNVEEllipsoid::initial_integrate(int) {
-  const ellipsoid::Gear gear(dtv);
-  particles_ = ParticleArrays(*atom);
-  if (planar_)
-    inertia_about_z_.resize(static_cast<std::size_t>(atom->nlocal));
-  for_each_atom([&](int i) {
-    if (gear_) {
-      predict(i, gear);
-      return;
-    }
-    const int dimensions = planar_ ? 2 : 3;
-    if (planar_) {
-      kick_in_plane(i);
-      stop_out_of_plane(i);
-      turn_in_plane(i);
-    } else {
-      kick(i);
-      turn(i);
-    }
-    for (int k = 0; k < dimensions; ++k)
-      particles_.x[i][k] += dtv * particles_.v[i][k];
+/// Everything that is done per particle is inlined. Particles turn together with others: as soon as
+/// the batch is full.
+__attribute__((flatten)) void FixNVEEllipsoid::start_step_in_space() {
+  const double *inverse_inertia = inverse_inertia_.data(), step = dtv, half_step = dtf;
+  const ParticleArrays p(*atom);
+  for_each_atom([=](int i) {
+    kick(p, i, half_step);
+    for (int k = 0; k < 3; ++k)
+      p.x[i][k] += step * p.v[i][k];
+    turning_[turns_.size()] = i;
+    turns_.add(quaternion(p.quaternion[i]), vector(p.angmom[i]),
+               vector(inverse_inertia + 3 * static_cast<std::ptrdiff_t>(i)));
+    if (turns_.full())
+      turn_waiting(p);
   });
-  turn_waiting();
-  turn_waiting_in_plane();
+  turn_waiting(p);
 }
 
 /// Everything that is done per particle is inlined.
-__attribute__((flatten)) void FixNVEEllipsoid::final_integrate() {
-  const ellipsoid::Gear gear(dtv);
-  particles_ = ParticleArrays(*atom);
-  for_each_atom([&](int i) {
-    if (gear_) {
-      correct(i, gear);
-      return;
-    }
-    if (planar_) {
-      kick_in_plane(i);
-      keep_in_plane(i);
-    } else {
-      kick(i);
-    }
-    update_spin(i);
+__attribute__((flatten)) void FixNVEEllipsoid::end_step_in_space() {
+  const double *inverse_inertia = inverse_inertia_.data(), half_step = dtf;
+  for_each_atom([=, p = ParticleArrays(*atom)](int i) {
+    kick(p, i, half_step);
+    store(angular_velocity_by_inverse(vector(p.angmom[i]),
+                                      vector(inverse_inertia + 3 * static_cast<std::ptrdiff_t>(i)),
+                                      quaternion(p.quaternion[i])),
+          p.omega[i]);
   });
+}
+
+void FixNVEEllipsoid::initial_integrate(int) {
+  if (!gear_ && inverse_inertia_.size() != inverse_inertia_size())
+    know_inertia();
+  if (gear_)
+    for_each_atom([this, gear = ellipsoid::Gear(dtv)](int i) { predict(i, gear); });
+  else if (planar_)
+    start_step_in_plane();
+  else
+    start_step_in_space();
+}
+
+void FixNVEEllipsoid::final_integrate() {
+  if (!gear_ && neighbor->ago == 0)
+    know_inertia();
+  if (gear_)
+    for_each_atom([this, gear = ellipsoid::Gear(dtv)](int i) { correct(i, gear); });
+  else if (planar_)
+    end_step_in_plane();
+  else
+    end_step_in_space();
 }
 
 void FixNVEEllipsoid::initial_integrate_respa(int, int, int) {

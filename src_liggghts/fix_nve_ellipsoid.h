@@ -11,6 +11,7 @@ FixStyle(nve/ellipsoid,FixNVEEllipsoid)
 #include "particle_arrays.h"
 #include "rotation_batch.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace ellipsoid {
@@ -39,11 +40,11 @@ public:
 
 private:
   bool planar_ = false; // motion in the xy plane only
-  LIGGGHTS::ParticleArrays particles_; // of the half step in work
   ellipsoid::RotationBatch turns_;
-  ellipsoid::PlanarRotationBatch turns_in_plane_;
   int turning_[ellipsoid::RotationBatch::capacity]; // particles of the batch
-  std::vector<double> inertia_about_z_;              // after the last turn in the plane
+  // One over the principal moments about the body's axes (planar: about z) of all particles that
+  // move; they keep their places until lists are new.
+  std::vector<double> inverse_inertia_;
   bool gear_ = false;
   // of `integrator gear`, per atom: started (1) or not (0), then second to fifth derivative of x,
   // y, z
@@ -54,16 +55,13 @@ private:
   template <class Action> void for_each_atom(Action action) const;
   template <class Step> void step_in_plane(int i, Step step) const;
   class FixPropertyAtom* find_derivatives(const char* what) const;
-  void kick(int i) const;
-  void kick_in_plane(int i) const;
-  void stop_out_of_plane(int i) const;
-  void keep_in_plane(int i) const;
-  void turn(int i);
-  void turn_waiting();
-  void turn_in_plane(int i);
-  void turn_waiting_in_plane();
-  void update_spin(int i) const;
-  double checked_inertia(int i, const ellipsoid::PlanarInertia& inertia) const;
+  void turn_waiting(const LIGGGHTS::ParticleArrays& particles);
+  std::size_t inverse_inertia_size() const;
+  void know_inertia();
+  void start_step_in_plane();
+  void end_step_in_plane();
+  void start_step_in_space();
+  void end_step_in_space();
   double inertia_about_z(int i) const;
   void start(int i) const;
   void predict(int i, const ellipsoid::Gear& gear) const;

@@ -7,13 +7,28 @@
 
 namespace ellipsoid {
 
+/// One over each of the principal moments (mass length^2, about the body's x, y, z): what particles
+/// need at every step and have for a long time.
+inline Vector3 inverse(const Vector3& inertia) {
+  return {1.0 / inertia.x, 1.0 / inertia.y, 1.0 / inertia.z};
+}
+
+/// Angular velocity (rad/time, space frame) that belongs to an angular momentum (space frame).
+/// @param[in] inverse_inertia inverse() of the principal moments
+inline Vector3 angular_velocity_by_inverse(const Vector3& momentum, const Vector3& inverse_inertia,
+                                           const Quaternion& orientation) {
+  // a sphere's, by the moment about z, and what the two other axes have more
+  const Rotation3 r = rotation(orientation);
+  const double more_x = (inverse_inertia.x - inverse_inertia.z) * dot(r.column_x, momentum);
+  const double more_y = (inverse_inertia.y - inverse_inertia.z) * dot(r.column_y, momentum);
+  return inverse_inertia.z * momentum + more_x * r.column_x + more_y * r.column_y;
+}
+
 /// Angular velocity (rad/time, space frame) of a body with principal moments `inertia`
 /// (mass length^2, about the body's x, y, z) and angular momentum `momentum` (space frame).
 inline Vector3 angular_velocity(const Vector3& momentum, const Vector3& inertia,
                                 const Quaternion& orientation) {
-  const Rotation3 r = rotation(orientation);
-  const Vector3 m = r.to_body(momentum);
-  return r.to_space({m.x / inertia.x, m.y / inertia.y, m.z / inertia.z});
+  return angular_velocity_by_inverse(momentum, inverse(inertia), orientation);
 }
 
 /// Angular momentum (space frame) that belongs to an angular velocity (space frame).
@@ -33,18 +48,16 @@ inline double rotational_energy(const Vector3& momentum, const Vector3& inertia,
 namespace detail {
 
 /// Turns about one body axis by the angle whose half has the tangent `half`: the rational (Cayley)
-/// rotation, exact in norm, of second order in the angle. `p`, `q` are the momentum's components
-/// along the two other axes in cyclic order; `a` is the quaternion's component of the turned axis,
-/// `b`, `c` those of the others in the same order.
+/// rotation, of second order in the angle. `p`, `q` are the momentum's components along the two
+/// other axes in cyclic order, whose length is kept exactly; `a` is the quaternion's component of the
+/// turned axis, `b`, `c` those of the others in the same order: its norm grows by sqrt(1 + half^2).
 inline void turn(double half, double& p, double& q, double& w, double& a, double& b, double& c) {
-  const double square = half * half, scale = 1.0 / (1.0 + square);
-  const double cosine = (1.0 - square) * scale, sine = 2.0 * half * scale;
-  const double p_new = cosine * p + sine * q, q_new = cosine * q - sine * p;
+  const double sine = 2.0 * half / (1.0 + half * half); // cosine: 1 - half sine
+  const double p_new = p + sine * (q - half * p), q_new = q - sine * (p + half * q);
   p = p_new;
   q = q_new;
-  const double s = std::sqrt(scale);
-  const double w_new = s * (w - half * a), a_new = s * (a + half * w);
-  const double b_new = s * (b + half * c), c_new = s * (c - half * b);
+  const double w_new = w - half * a, a_new = a + half * w;
+  const double b_new = b + half * c, c_new = c - half * b;
   w = w_new;
   a = a_new;
   b = b_new;
@@ -53,43 +66,62 @@ inline void turn(double half, double& p, double& q, double& w, double& a, double
 
 } // namespace detail
 
+/// Orientation and angular velocity (rad/time, space frame) of a body.
+struct Rotating {
+  Quaternion orientation;
+  Vector3 omega;
+};
+
 /// Advances the orientation of a torque-free body by `time_step`: symmetric splitting into turns
 /// about the body's axes (as Miller et al. 2002, J. Chem. Phys. 116, 8649, order z y x y z), each
 /// with its constant component of the angular momentum. Second order, time-reversible; angular
 /// momentum and the quaternion's norm are kept exactly.
 /// @param[in] momentum angular momentum (space frame), constant
-/// @param[in] inertia  principal moments about the body's x, y, z
-inline Quaternion rotate_freely(const Quaternion& orientation, const Vector3& momentum,
-                                const Vector3& inertia, double time_step) {
+/// @param[in] inverse_inertia inverse() of the principal moments
+/// @return orientation and angular velocity after the step
+inline Rotating rotate_freely(const Quaternion& orientation, const Vector3& momentum,
+                              const Vector3& inverse_inertia, double time_step) {
   Quaternion q = orientation;
   Vector3 m = rotation(q).to_body(momentum);
-  const double quarter = 0.25 * time_step, half = 0.5 * time_step;
-  const Vector3 rate{1.0 / inertia.x, 1.0 / inertia.y, 1.0 / inertia.z};
-  detail::turn(quarter * m.z * rate.z, m.x, m.y, q.w, q.z, q.x, q.y);
-  detail::turn(quarter * m.y * rate.y, m.z, m.x, q.w, q.y, q.z, q.x);
-  detail::turn(half * m.x * rate.x, m.y, m.z, q.w, q.x, q.y, q.z);
-  detail::turn(quarter * m.y * rate.y, m.z, m.x, q.w, q.y, q.z, q.x);
-  detail::turn(quarter * m.z * rate.z, m.x, m.y, q.w, q.z, q.x, q.y);
-  return normalized(q); // removes rounding only
+  const Vector3& rate = inverse_inertia;
+  const double half_x = 0.5 * time_step * rate.x; // times momentum: tangent of half the angle
+  const double half_y = 0.25 * time_step * rate.y, half_z = 0.25 * time_step * rate.z;
+  detail::turn(half_z * m.z, m.x, m.y, q.w, q.z, q.x, q.y);
+  detail::turn(half_y * m.y, m.z, m.x, q.w, q.y, q.z, q.x);
+  detail::turn(half_x * m.x, m.y, m.z, q.w, q.x, q.y, q.z);
+  detail::turn(half_y * m.y, m.z, m.x, q.w, q.y, q.z, q.x);
+  detail::turn(half_z * m.z, m.x, m.y, q.w, q.z, q.x, q.y);
+  q = normalized(q);
+  return {q, rotation(q).to_space({m.x * rate.x, m.y * rate.y, m.z * rate.z})};
 }
 
 /// Moment of inertia about the space z axis, and how far z is from a principal axis.
 struct PlanarInertia {
-  double about_z;    ///< (mass length^2)
+  /// The principal moment itself (mass length^2): rounding of the orientation leaves no trace in it.
+  double about_z;
   double misaligned; ///< sine^2 of the angle between z and I z: 0 for every principal axis, also for
                      ///< any across the symmetry axis of a body with two equal moments
 };
 
+/// For bodies with a principal axis along z, which `misaligned` tells.
 inline PlanarInertia planar_inertia(const Quaternion& orientation, const Vector3& inertia) {
   const Vector3 z = rotation(orientation).to_body({0.0, 0.0, 1.0});
   const Vector3 momentum{inertia.x * z.x, inertia.y * z.y, inertia.z * z.z};
   const Vector3 across = cross(z, momentum);
-  return {dot(z, momentum), dot(across, across) / dot(momentum, momentum)};
+  // z lies along one axis, or between axes of equal moments: the first with more than this share of
+  // z. No common angle is near the limit, so that rounding does not change the choice.
+  const double share = 0.31 * dot(z, z);
+  const double about_z = z.x * z.x > share   ? inertia.x
+                         : z.y * z.y > share ? inertia.y
+                                             : inertia.z;
+  return {about_z, dot(across, across) / dot(momentum, momentum)};
 }
 
 /// Turns a body about the space z axis by `angle` (rad), second order in it, norm kept.
 inline Quaternion rotate_about_z(const Quaternion& q, double angle) {
-  return normalized(Quaternion{1.0, 0.0, 0.0, 0.5 * angle} * q);
+  const double half = 0.5 * angle; // (1 + half z) q
+  return normalized(
+      Quaternion{q.w - half * q.z, q.x - half * q.y, q.y + half * q.x, q.z + half * q.w});
 }
 
 } // namespace ellipsoid

@@ -7,102 +7,32 @@ namespace ellipsoid {
 
 namespace {
 
-template <class Columns> Quaternion quaternion_of(const Columns& c, int k) {
-  return {c.values[Columns::qw][k], c.values[Columns::qx][k], c.values[Columns::qy][k],
-          c.values[Columns::qz][k]};
-}
-
-template <class Columns> void put(Columns& c, const Quaternion& q, int k) {
-  c.values[Columns::qw][k] = q.w;
-  c.values[Columns::qx][k] = q.x;
-  c.values[Columns::qy][k] = q.y;
-  c.values[Columns::qz][k] = q.z;
-}
-
-template <class Columns> Vector3 inertia_of(const Columns& c, int k) {
-  return {c.values[Columns::ix][k], c.values[Columns::iy][k], c.values[Columns::iz][k]};
-}
-
-template <class Columns> void put_inertia(Columns& c, const Vector3& inertia, int k) {
-  c.values[Columns::ix][k] = inertia.x;
-  c.values[Columns::iy][k] = inertia.y;
-  c.values[Columns::iz][k] = inertia.z;
-}
-
 inline void rotate_loop(RotationBatch::Columns& c, int size) {
   using C = RotationBatch::Columns;
   const double time_step = c.time_step;
+  auto& v = c.values;
 #pragma GCC ivdep
   for (int k = 0; k < size; ++k) {
-    const Vector3 momentum{c.values[C::mx][k], c.values[C::my][k], c.values[C::mz][k]};
-    const Vector3 inertia = inertia_of(c, k);
-    const Quaternion q = rotate_freely(quaternion_of(c, k), momentum, inertia, time_step);
-    const Vector3 omega = angular_velocity(momentum, inertia, q);
-    put(c, q, k);
-    c.values[C::wx][k] = omega.x;
-    c.values[C::wy][k] = omega.y;
-    c.values[C::wz][k] = omega.z;
+    const Rotating after = rotate_freely({v[C::qw][k], v[C::qx][k], v[C::qy][k], v[C::qz][k]},
+                                         {v[C::mx][k], v[C::my][k], v[C::mz][k]},
+                                         {v[C::ix][k], v[C::iy][k], v[C::iz][k]}, time_step);
+    v[C::qw][k] = after.orientation.w;
+    v[C::qx][k] = after.orientation.x;
+    v[C::qy][k] = after.orientation.y;
+    v[C::qz][k] = after.orientation.z;
+    v[C::wx][k] = after.omega.x;
+    v[C::wy][k] = after.omega.y;
+    v[C::wz][k] = after.omega.z;
   }
 }
 
 ELLIPSOID_VECTOR_VERSIONS(rotate, RotationBatch::Columns)
 
-inline void rotate_in_plane_loop(PlanarRotationBatch::Columns& c, int size) {
-  using C = PlanarRotationBatch::Columns;
-  const double time_step = c.time_step;
-#pragma GCC ivdep
-  for (int k = 0; k < size; ++k) {
-    const Quaternion q = quaternion_of(c, k);
-    const PlanarInertia inertia = planar_inertia(q, inertia_of(c, k));
-    const double rate = c.values[C::mz][k] / inertia.about_z;
-    const Quaternion turned = rotate_about_z(q, time_step * rate);
-    const PlanarInertia after = planar_inertia(turned, inertia_of(c, k));
-    put(c, turned, k);
-    c.values[C::rate][k] = rate;
-    c.values[C::about_z][k] = after.about_z;
-    c.values[C::misaligned][k] = after.misaligned;
-  }
-}
-
-ELLIPSOID_VECTOR_VERSIONS(rotate_in_plane, PlanarRotationBatch::Columns)
-
 } // namespace
-
-void RotationBatch::add(const Quaternion& orientation, const Vector3& momentum,
-                        const Vector3& inertia) {
-  const int k = next();
-  put(columns_, orientation, k);
-  columns_.values[Columns::mx][k] = momentum.x;
-  columns_.values[Columns::my][k] = momentum.y;
-  columns_.values[Columns::mz][k] = momentum.z;
-  put_inertia(columns_, inertia, k);
-}
 
 void RotationBatch::solve(double time_step) {
   columns_.time_step = time_step;
   rotate(columns_, size());
 }
-
-Quaternion RotationBatch::orientation(int k) const { return quaternion_of(columns_, k); }
-
-Vector3 RotationBatch::omega(int k) const {
-  using C = Columns;
-  return {columns_.values[C::wx][k], columns_.values[C::wy][k], columns_.values[C::wz][k]};
-}
-
-void PlanarRotationBatch::add(const Quaternion& orientation, double momentum_z,
-                              const Vector3& inertia) {
-  const int k = next();
-  put(columns_, orientation, k);
-  columns_.values[Columns::mz][k] = momentum_z;
-  put_inertia(columns_, inertia, k);
-}
-
-void PlanarRotationBatch::solve(double time_step) {
-  columns_.time_step = time_step;
-  rotate_in_plane(columns_, size());
-}
-
-Quaternion PlanarRotationBatch::orientation(int k) const { return quaternion_of(columns_, k); }
 
 } // namespace ellipsoid

@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Free rotation of many bodies at once: the functions of rigid_body.h in loops that the compiler turns
-// into vector instructions. The results are those of the functions, bit for bit.
+// Free rotation of many bodies at once: rotate_freely() in a loop that the compiler turns into vector
+// instructions. The results are those of the function, bit for bit.
 #pragma once
 
 #include "batch.h"
@@ -9,11 +9,11 @@
 
 namespace ellipsoid {
 
-/// rotate_freely() and angular_velocity().
 class RotationBatch : public Batch {
  public:
-  /// @param[in] momentum angular momentum (space frame), @param[in] inertia principal moments
-  void add(const Quaternion& orientation, const Vector3& momentum, const Vector3& inertia);
+  /// @param[in] momentum angular momentum (space frame)
+  /// @param[in] inverse_inertia inverse() of the principal moments
+  void add(const Quaternion& orientation, const Vector3& momentum, const Vector3& inverse_inertia);
 
   /// Advances all bodies.
   void solve(double time_step);
@@ -32,32 +32,35 @@ private:
   Columns columns_;
 };
 
-/// planar_inertia() and rotate_about_z(): bodies that move in the xy plane.
-class PlanarRotationBatch : public Batch {
- public:
-  /// @param[in] momentum_z angular momentum about z, @param[in] inertia principal moments
-  void add(const Quaternion& orientation, double momentum_z, const Vector3& inertia);
+// Inline, and number by number, as contact_batch.h.
 
-  /// Advances all bodies.
-  void solve(double time_step);
+inline void RotationBatch::add(const Quaternion& orientation, const Vector3& momentum,
+                               const Vector3& inverse_inertia) {
+  using C = Columns;
+  const int k = next();
+  const auto put = [this, k](int column, double value) { columns_.values[column][k] = value; };
+  put(C::qw, orientation.w);
+  put(C::qx, orientation.x);
+  put(C::qy, orientation.y);
+  put(C::qz, orientation.z);
+  put(C::mx, momentum.x);
+  put(C::my, momentum.y);
+  put(C::mz, momentum.z);
+  put(C::ix, inverse_inertia.x);
+  put(C::iy, inverse_inertia.y);
+  put(C::iz, inverse_inertia.z);
+}
 
-  Quaternion orientation(int k) const; ///< of body k after the step
-  /// Angular velocity during the step (rad/time).
-  double rate(int k) const { return columns_.values[Columns::rate][k]; }
-  /// After the step.
-  PlanarInertia inertia(int k) const {
-    return {columns_.values[Columns::about_z][k], columns_.values[Columns::misaligned][k]};
-  }
+inline Quaternion RotationBatch::orientation(int k) const {
+  using C = Columns;
+  const auto& values = columns_.values;
+  return {values[C::qw][k], values[C::qx][k], values[C::qy][k], values[C::qz][k]};
+}
 
-  /// Columns of numbers, one per body.
-  struct Columns {
-    enum Value { qw, qx, qy, qz, mz, ix, iy, iz, rate, about_z, misaligned, value_count };
-    alignas(64) double values[value_count][column_length];
-    double time_step;
-  };
-
-private:
-  Columns columns_;
-};
+inline Vector3 RotationBatch::omega(int k) const {
+  using C = Columns;
+  const auto& values = columns_.values;
+  return {values[C::wx][k], values[C::wy][k], values[C::wz][k]};
+}
 
 } // namespace ellipsoid

@@ -123,6 +123,14 @@ class Planar(unittest.TestCase):
         self.assertRegex(outcome.text, r"ERROR.*nve/ellipsoid.*planar yes.*atom 1 has no principal axis "
                                        r"along z; insert it with orientation planar")
 
+    def test_body_turned_out_of_the_plane_between_runs_is_refused(self):
+        script = Setup().with_particles([Particle((0.0, 0.0, 0.0), AXES, omega=(0, 0, 100.0))])
+        script += "fix motion all nve/ellipsoid planar yes\nrun 10\n"
+        turned = " ".join(repr(float(v)) for v in quaternion_of((1, 0, 0), 0.3))
+        outcome = run(script + f"set atom 1 quat_direct {turned}\nrun 10\n", check=False)
+        self.assertEqual(outcome.code, 1, outcome.text)
+        self.assertRegex(outcome.text, "ERROR.*atom 1 has no principal axis along z")
+
     def test_symmetric_bodies_may_lie_rolled(self):
         # every axis across the symmetry axis is a principal one, and every axis of a sphere
         for axes, q in (((2e-3, 1e-3, 1e-3), quaternion_of((1, 0, 0), 0.3)),
@@ -131,6 +139,36 @@ class Planar(unittest.TestCase):
             self.assertEqual(outcome.code, 0, outcome.text)
             _, columns = read_dump(Path("turned.dump"))
             self.assertAlmostEqual(columns["omegaz"][-1, 0], 100.0, delta=1e-11)
+
+
+class NewLists(unittest.TestCase):
+    def test_every_body_keeps_its_own_moments_when_atoms_change_places(self):
+        # when lists are new atoms are sorted, and fill the places of those that left; half of them
+        # pass the others, each spins about its principal axis z
+        count, leaving, spin = 6, (0, 2), 100.0
+        particles = []
+        for k in range(count):
+            way = (-1) ** (k // 2)
+            particles.append(Particle((0.015 * k - 0.0375, 0.045 if k in leaving else -0.01 * way, 0.0),
+                                      tuple((0.5 + 0.2 * k) * a for a in AXES),
+                                      quaternion_of((0, 0, 1), k),
+                                      (0.0, 1.0 if k in leaving else way, 0.0), (0.0, 0.0, spin)))
+        stay = [k for k in range(count) if k not in leaving]
+        for planar in "yes", "no":
+            name = f"{planar}.dump"
+            run(Setup().with_particles(particles) + f"fix motion all nve/ellipsoid planar {planar}\n"
+                + "thermo_modify lost ignore\n" + "atom_modify sort 1 0\n" + dump(name, 1000) + "run 20000\n")
+            for frame, text in enumerate(Path(name).read_text().split("ITEM: ATOMS")[1:]):
+                columns, *rows = (line.split() for line in text.split("ITEM")[0].strip().splitlines())
+                values = {int(v["id"]) - 1: v for v in (dict(zip(columns, row)) for row in rows)}
+                for k, body in values.items():
+                    self.assertAlmostEqual(float(body["omegaz"]), spin, delta=1e-10)
+                    angle = k + spin * 1e-3 * frame
+                    found = [float(body[f"quat{n}"]) for n in (1, 4)]
+                    np.testing.assert_allclose(found, [math.cos(angle / 2), math.sin(angle / 2)],
+                                               atol=1e-8)
+            self.assertEqual(sorted(values), stay)
+
 
 
 if __name__ == "__main__":

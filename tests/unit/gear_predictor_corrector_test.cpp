@@ -49,7 +49,7 @@ Quaternion free_turn(double time) {
   const auto turned = [&](int steps) {
     Quaternion q = orientation;
     for (int k = 0; k < steps; ++k)
-      q = rotate_freely(q, momentum, moments, time / steps);
+      q = rotate_freely(q, momentum, inverse(moments), time / steps).orientation;
     return q;
   };
   const Quaternion coarse = turned(20000), fine = turned(40000);
