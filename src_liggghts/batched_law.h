@@ -50,12 +50,8 @@ public:
                                    friction_[i][j]};
   }
 
-  ellipsoid::LawParameters parameters(int itype, int jtype, double effective_mass) const {
-    ellipsoid::LawParameters law =
-        of_types_[row_ * static_cast<std::size_t>(itype) + static_cast<std::size_t>(jtype)];
-    law.normal_damping *= effective_mass;
-    law.tangential_damping *= effective_mass;
-    return law;
+  const ellipsoid::LawParameters& parameters(int itype, int jtype) const {
+    return of_types_[row_ * static_cast<std::size_t>(itype) + static_cast<std::size_t>(jtype)];
   }
 
 private:
@@ -65,7 +61,7 @@ private:
   double** tangential_damping_ = nullptr;
   double** friction_ = nullptr;
   std::size_t row_ = 0;
-  std::vector<ellipsoid::LawParameters> of_types_; // damping per effective mass
+  std::vector<ellipsoid::LawParameters> of_types_;
 };
 
 } // namespace ContactModels

@@ -323,7 +323,6 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
     int i, j;
     int* flag;
     ellipsoid::Vector3 distance; ///< x_j - x_i (length)
-    double mass_i, mass_j, effective_mass;
     bool is_flagged = false; ///< by the last step
   };
 
@@ -349,20 +348,16 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
   ellipsoid::ContactLawBatch law_batch_;
   WaitingContact waiting_contacts_[ellipsoid::ContactLawBatch::capacity];
 
-  TouchingPair touching_pair(int i, int j, const ellipsoid::Vector3& distance, int& flag) const {
-    TouchingPair pair{i, j, &flag, distance, particles_.mass[i], particles_.mass[j], 0.0};
-    if (rigid_masses_) {
-      if (rigid_masses_[i] > 0.0)
-        pair.mass_i = rigid_masses_[i];
-      if (rigid_masses_[j] > 0.0)
-        pair.mass_j = rigid_masses_[j];
-    }
-    pair.effective_mass = pair.mass_i * pair.mass_j / (pair.mass_i + pair.mass_j);
+  double mass(int i) const {
+    return rigid_masses_ && rigid_masses_[i] > 0.0 ? rigid_masses_[i] : particles_.mass[i];
+  }
+
+  ellipsoid::PairMasses masses(int i, int j) const {
     if (particles_.mask[i] & frozen_group_)
-      pair.effective_mass = pair.mass_j;
+      return ellipsoid::PairMasses::one_held(mass(j));
     if (particles_.mask[j] & frozen_group_)
-      pair.effective_mass = pair.mass_i;
-    return pair;
+      return ellipsoid::PairMasses::one_held(mass(i));
+    return {mass(i), mass(j)};
   }
 
   __attribute__((always_inline)) void add_contact(const TouchingPair& pair, const Touch& touch) {
@@ -387,7 +382,7 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
                     std::max(0.0, touch.overlap), touch.reduced_radius},
                    {vector(particles_.v[i]) - vector(particles_.v[j]), vector(particles_.omega[i]),
                     vector(particles_.omega[j])},
-                   tables_.parameters(particles_.type[i], particles_.type[j], pair.effective_mass),
+                   tables_.parameters(particles_.type[i], particles_.type[j]), masses(i, j),
                    vector(&touch.history[spring_offset_]));
     if (law_batch_.full())
       apply_waiting_contacts();
@@ -444,8 +439,7 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
                       contact.radius_i, contact.radius_j, contact.history, contact.weight,
                       contact.sphere_i, contact.sphere_j};
     const SurfacesIntersectData c = record(
-        touching_pair(contact.i, contact.j, centre_distance(contact.i, contact.j), *contact.flag),
-        touch);
+        {contact.i, contact.j, contact.flag, centre_distance(contact.i, contact.j)}, touch);
     ForceData force_i, force_j;
     ellipsoid_host::store(touch.weight * action.force, force_i.delta_F);
     ellipsoid_host::store(-touch.weight * action.force, force_j.delta_F);
@@ -479,9 +473,9 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
     c.omega_i = atom->omega[i];
     c.omega_j = atom->omega[j];
     c.contact_flags = pair.flag;
-    c.mi = pair.mass_i;
-    c.mj = pair.mass_j;
-    c.meff = pair.effective_mass;
+    c.mi = mass(i);
+    c.mj = mass(j);
+    c.meff = masses(i, j).effective();
     ellipsoid_host::store(-touch.normal, c.en);
     ellipsoid_host::store(ellipsoid_host::vector(atom->x[i]) + touch.point, c.contact_point);
     c.deltan = std::max(0.0, touch.overlap);

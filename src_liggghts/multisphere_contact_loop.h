@@ -134,7 +134,7 @@ class MultisphereContactLoop : public EllipsoidContactLoop<MultisphereContactLoo
     counts_.values[ContactCounts::touching_pairs] += this->share(j);
     counts_.values[ContactCounts::contacts] += this->share(j) * contacts;
     flag = CONTACT_SURFACE_MODEL;
-    const typename Base::TouchingPair pair = this->touching_pair(i, j, distance, flag);
+    const typename Base::TouchingPair pair{i, j, &flag, distance};
     const double weight = multicontact_weight(rule_, static_cast<int>(found_.size()));
     for (std::size_t k = 0; k < found_.size(); ++k) {
       const ellipsoid::SphereContact& c = found_[k];

@@ -120,35 +120,41 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     batch_.clear();
   }
 
-  /// A touching pair starts from its last normal, together with others. All others start from
-  /// scratch: what a new contact is does not depend on what happened before it, nor on whether the
-  /// run was interrupted.
-  bool treat_pair(const typename Base::ListPair& pair, int& flag, double* history) {
+  /// A touching pair starts from its last normal, together with others.
+  __attribute__((always_inline)) bool treat_pair(const typename Base::ListPair& pair, int& flag,
+                                                 double* history) {
+    if (history[was_touching] == 0.0)
+      return treat_new_contact(pair, flag, history);
+    const ellipsoid::Vector3 distance = this->centre_distance(pair.i, pair.j);
+    PairAtHand& waiting = waiting_[batch_.size()]; // number by number: see contact_batch.h
+    waiting.i = pair.i;
+    waiting.j = pair.j;
+    waiting.flag = &flag;
+    waiting.history = history;
+    waiting.distance.x = distance.x;
+    waiting.distance.y = distance.y;
+    waiting.distance.z = distance.z;
+    batch_.add(shape(pair.i), shape(pair.j), distance,
+               -ellipsoid_host::vector(&history[normal_x]));
+    if (batch_.full())
+      finish();
+    return true;
+  }
+
+  /// All others start from scratch: what a new contact is does not depend on what happened before it,
+  /// nor on whether the run was interrupted.
+  __attribute__((noinline)) bool treat_new_contact(const typename Base::ListPair& pair, int& flag,
+                                                   double* history) {
     const int i = pair.i, j = pair.j;
     const ellipsoid::Vector3 distance = this->centre_distance(i, j);
-    const ellipsoid::Vector3 remembered = -ellipsoid_host::vector(&history[normal_x]);
-    const bool has_normal = dot(remembered, remembered) > 0.5; // unit vector, or zero
-    if (has_normal && history[was_touching] != 0.0) {
-      PairAtHand& waiting = waiting_[batch_.size()]; // number by number: see contact_batch.h
-      waiting.i = i;
-      waiting.j = j;
-      waiting.flag = &flag;
-      waiting.history = history;
-      waiting.distance.x = distance.x;
-      waiting.distance.y = distance.y;
-      waiting.distance.z = distance.z;
-      batch_.add(shape(i), shape(j), distance, remembered);
-      if (batch_.full())
-        finish();
-      return true;
-    }
     const double bounding_gap = this->bounding_gap(i, j, distance);
     if (bounding_gap > 0.0) {
       forget(i, j, flag, history);
       this->put_to_sleep(pair, bounding_gap, normalized(distance));
       return false;
     }
-    if (has_normal) {
+    const ellipsoid::Vector3 remembered = -ellipsoid_host::vector(&history[normal_x]);
+    if (dot(remembered, remembered) > 0.5) { // unit vector, or zero
       const double gap = -overlap_along(shape(i), shape(j), distance, remembered);
       if (gap > 0.0) {
         this->put_to_sleep(pair, gap, remembered);
@@ -158,7 +164,9 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     ellipsoid::SearchOptions options;
     options.goal = ellipsoid::SearchGoal::distance; // the farther apart, the longer the pair sleeps
     const ellipsoid::ContactGeometry contact = find_contact(shape(i), shape(j), distance, options);
-    treat_result({i, j, &flag, history, distance, false}, contact);
+    Counts counts;
+    treat_result({i, j, &flag, history, distance, false}, contact, counts);
+    publish(counts);
     if (contact.status != ellipsoid::ContactStatus::separated)
       return true;
     this->put_to_sleep(pair, -contact.overlap, contact.normal);
@@ -168,9 +176,23 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
   /// The waiting pairs, in the order in which they came.
   __attribute__((noinline, flatten)) void finish() {
     batch_.solve();
+    Counts counts; // here, to live in registers
     for (int k = 0; k < batch_.size(); ++k)
-      treat_result(waiting_[k], batch_.geometry(k));
+      treat_result(waiting_[k], batch_.geometry(k), counts);
+    publish(counts);
     batch_.clear();
+  }
+
+  struct Counts {
+    double tested = 0.0, newton_steps = 0.0, touching = 0.0, not_converged = 0.0;
+  };
+
+  void publish(const Counts& counts) {
+    counts_.values[ContactCounts::tested] += counts.tested;
+    counts_.values[ContactCounts::newton_steps] += counts.newton_steps;
+    counts_.values[ContactCounts::touching_pairs] += counts.touching;
+    counts_.values[ContactCounts::contacts] += counts.touching;
+    counts_.values[ContactCounts::not_converged] += counts.not_converged;
   }
 
   /// When a run is set up forces are evaluated without a step: this leaves no trace, so that a run may be
@@ -188,14 +210,20 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
   ellipsoid::ContactBatch batch_;
   PairAtHand waiting_[ellipsoid::ContactBatch::capacity];
 
-  void treat_result(const PairAtHand& pair, const ellipsoid::ContactGeometry& geometry) {
-    count(geometry, this->share(pair.j));
+  void treat_result(const PairAtHand& pair, const ellipsoid::ContactGeometry& geometry,
+                    Counts& counts) {
+    const double share = this->share(pair.j);
+    counts.tested += share;
+    counts.newton_steps += share * geometry.iterations;
     if (remembers())
       ellipsoid_host::store(-geometry.normal, &pair.history[normal_x]);
     if (geometry.status == ellipsoid::ContactStatus::separated) {
       forget(pair.i, pair.j, *pair.flag, pair.history);
       return;
     }
+    counts.touching += share;
+    if (geometry.status == ellipsoid::ContactStatus::not_converged)
+      counts.not_converged += share;
     treat_contact(pair, geometry);
   }
 
@@ -207,21 +235,9 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     flag = 0;
   }
 
-  void count(const ellipsoid::ContactGeometry& geometry, double share) {
-    counts_.values[ContactCounts::tested] += share;
-    counts_.values[ContactCounts::newton_steps] += share * geometry.iterations;
-    if (geometry.status == ellipsoid::ContactStatus::not_converged)
-      counts_.values[ContactCounts::not_converged] += share;
-    if (geometry.status != ellipsoid::ContactStatus::separated) {
-      counts_.values[ContactCounts::touching_pairs] += share;
-      counts_.values[ContactCounts::contacts] += share;
-    }
-  }
-
   void treat_contact(const PairAtHand& pair, const ellipsoid::ContactGeometry& geometry) {
-    typename Base::TouchingPair touching =
-        this->touching_pair(pair.i, pair.j, pair.distance, *pair.flag);
-    touching.is_flagged = pair.touched && flags_are_set_;
+    const typename Base::TouchingPair touching{pair.i, pair.j, pair.flag, pair.distance,
+                                               pair.touched && flags_are_set_};
     if (!touching.is_flagged)
       *pair.flag |= CONTACT_SURFACE_MODEL;
     if (remembers() && !pair.touched)

@@ -57,7 +57,8 @@ inline void apply_law(Columns& c, int k, double time_step, double smallest_norma
 
   const double overlap = in(C::overlap), root = std::sqrt(in(C::radius) * overlap);
   const double elastic = normal_stiffness(in(C::modulus), root) * overlap;
-  const double pressing = elastic - in(C::normal_damping) * normal_velocity; // eq. 23
+  const double mass = PairMasses{in(C::mass_i), in(C::mass_j)}.effective();
+  const double pressing = elastic - in(C::normal_damping) * mass * normal_velocity; // eq. 23
   const double normal_force =
       pressing < smallest_normal_force ? smallest_normal_force : pressing;
 
@@ -65,7 +66,7 @@ inline void apply_law(Columns& c, int k, double time_step, double smallest_norma
   if (advances_springs)
     spring = advanced_spring(spring, slip_velocity, time_step, normal);
   const Vector3 friction = limited_friction(
-      {tangential_stiffness(in(C::shear_modulus), root), in(C::tangential_damping),
+      {tangential_stiffness(in(C::shear_modulus), root), in(C::tangential_damping) * mass,
        in(C::friction) * std::fabs(normal_force), slip_velocity},
       spring);
 

@@ -26,13 +26,21 @@ struct PairMotion {
   Vector3 omega_i, omega_j; ///< angular velocities (rad/time)
 };
 
-/// Material of a contact and mass of its pair.
+/// Material of a contact.
 struct LawParameters {
   double effective_modulus;       ///< E* (pressure)
   double effective_shear_modulus; ///< G* (pressure)
-  double normal_damping;          ///< eta_n m_ij (mass/time)
-  double tangential_damping;      ///< eta_t m_ij (mass/time)
+  double normal_damping;          ///< eta_n (1/time)
+  double tangential_damping;      ///< eta_t (1/time)
   double friction;                ///< mu
+};
+
+/// Masses of the two bodies; m_ij = m_i m_j / (m_i + m_j).
+struct PairMasses {
+  double i, j;
+  /// One body of this mass, the other cannot move: m_ij = mass.
+  static PairMasses one_held(double mass) { return {2.0 * mass, 2.0 * mass}; }
+  double effective() const { return i * j / (i + j); }
 };
 
 /// What a contact does to the two bodies.
@@ -53,7 +61,7 @@ class ContactLawBatch : public Batch {
  public:
   /// @param[in] spring accumulated tangential displacement of the last step (length)
   void add(const ContactPlace& place, const PairMotion& motion, const LawParameters& parameters,
-           const Vector3& spring);
+           const PairMasses& masses, const Vector3& spring);
 
   void solve(const LawPass& pass);
 
@@ -68,7 +76,7 @@ class ContactLawBatch : public Batch {
   struct Columns {
     enum Input { nx, ny, nz, lix, liy, liz, ljx, ljy, ljz, overlap, radius, vx, vy, vz, wix, wiy, wiz,
                  wjx, wjy, wjz, modulus, shear_modulus, normal_damping, tangential_damping, friction,
-                 sx, sy, sz, input_count };
+                 mass_i, mass_j, sx, sy, sz, input_count };
     enum Result { fx, fy, fz, tix, tiy, tiz, tjx, tjy, tjz, normal_force, new_sx, new_sy, new_sz,
                   result_count };
     alignas(64) double in[input_count][column_length];
@@ -83,7 +91,8 @@ private:
 // Inline, and number by number, as in contact_batch.h.
 
 inline void ContactLawBatch::add(const ContactPlace& place, const PairMotion& motion,
-                                 const LawParameters& parameters, const Vector3& spring) {
+                                 const LawParameters& parameters, const PairMasses& masses,
+                                 const Vector3& spring) {
   using C = Columns;
   const int k = next();
   const auto put = [this, k](int column, double value) { columns_.in[column][k] = value; };
@@ -105,6 +114,8 @@ inline void ContactLawBatch::add(const ContactPlace& place, const PairMotion& mo
   put(C::normal_damping, parameters.normal_damping);
   put(C::tangential_damping, parameters.tangential_damping);
   put(C::friction, parameters.friction);
+  put(C::mass_i, masses.i);
+  put(C::mass_j, masses.j);
   put_vector(C::sx, spring);
 }
 

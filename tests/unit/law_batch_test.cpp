@@ -16,6 +16,7 @@ struct Contact {
   ContactPlace place;
   PairMotion motion;
   LawParameters parameters;
+  PairMasses masses;
   Vector3 spring;
 };
 
@@ -27,7 +28,8 @@ public:
     const Vector3 normal = normalized(vector(1.0));
     c.place = {normal, vector(2e-3), vector(2e-3), positive(1e-6), positive(2e-3)};
     c.motion = {vector(0.05), vector(10.0), vector(10.0)};
-    c.parameters = {positive(2e8), positive(1e8), positive(1e-3), positive(1e-3), positive(1.0)};
+    c.parameters = {positive(2e8), positive(1e8), positive(1e3), positive(1e3), positive(1.0)};
+    c.masses = {positive(1e-6), positive(1e-6)};
     const double kind = positive(1.0);
     c.spring = kind < 0.2 ? Vector3{} : kind < 0.4 ? positive(1e-7) * normal : vector(1e-7);
     if (kind > 0.9)
@@ -54,7 +56,7 @@ ContactAction single(const Contact& c, const LawPass& pass, Vector3& spring, boo
   const Vector3 slip_velocity = velocity - normal_velocity * at.normal;
   const double root = std::sqrt(at.reduced_radius * at.overlap);
   double normal_force = normal_stiffness(c.parameters.effective_modulus, root) * at.overlap -
-                        c.parameters.normal_damping * normal_velocity;
+                        c.parameters.normal_damping * c.masses.effective() * normal_velocity;
   if (pass.no_attraction && normal_force < 0.0)
     normal_force = 0.0;
   if (pass.advances_springs)
@@ -63,7 +65,7 @@ ContactAction single(const Contact& c, const LawPass& pass, Vector3& spring, boo
   const Vector3 friction =
       tangential_force(SlipDirection::displacement,
                        {tangential_stiffness(c.parameters.effective_shear_modulus, root),
-                        c.parameters.tangential_damping, limit, slip_velocity},
+                        c.parameters.tangential_damping * c.masses.effective(), limit, slip_velocity},
                        spring);
   slips = norm(friction) > (1.0 - 1e-12) * limit;
   const Vector3 force = normal_force * at.normal + friction;
@@ -89,7 +91,7 @@ TEST(ContactLawBatch, GivesTheBitsOfSingleContacts) {
       for (int k = 0; k < count; ++k) {
         contacts.push_back(random.next());
         const Contact& c = contacts.back();
-        batch.add(c.place, c.motion, c.parameters, c.spring);
+        batch.add(c.place, c.motion, c.parameters, c.masses, c.spring);
       }
       batch.solve(pass);
       for (int k = 0; k < count; ++k) {
@@ -115,10 +117,11 @@ TEST(ContactLawBatch, ActionIsReaction) {
   std::vector<Contact> contacts;
   for (int k = 0; k < ContactLawBatch::capacity; ++k) {
     const Contact c = random.next();
-    forth.add(c.place, c.motion, c.parameters, c.spring);
+    forth.add(c.place, c.motion, c.parameters, c.masses, c.spring);
     back.add({-c.place.normal, c.place.lever_j, c.place.lever_i, c.place.overlap,
               c.place.reduced_radius},
-             {-c.motion.velocity, c.motion.omega_j, c.motion.omega_i}, c.parameters, -c.spring);
+             {-c.motion.velocity, c.motion.omega_j, c.motion.omega_i}, c.parameters,
+              {c.masses.j, c.masses.i}, -c.spring);
   }
   const LawPass pass{5e-6, true, false};
   forth.solve(pass);
