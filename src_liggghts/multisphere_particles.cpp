@@ -6,6 +6,7 @@
 #include "error.h"
 #include "fix_property_atom.h"
 #include "modify.h"
+#include "motion_batch.h"
 #include "multisphere_watch.h"
 #include "neighbor.h"
 #include "particle_arrays.h"
@@ -112,12 +113,12 @@ bool MultisphereParticles::update() {
 
 void MultisphereParticles::begin_lists(std::size_t count) {
   poses_.resize(count);
-  centres_.resize(count);
+  const double* centres = LIGGGHTS::ParticleArrays(*atom).x[0];
+  centres_.assign(centres, centres + 3 * count);
   clocks_.restart(count);
   const double time_step = lmp->update->dt;
   for (std::size_t i = 0; i < count; ++i) {
     poses_[i] = make_pose(static_cast<int>(i));
-    centres_[i] = vector(atom->x[i]);
     const double half_length = poses_[i].scale * poses_[i].chain->half_length();
     clocks_.expect(i, {time_step * vector(atom->v[i]),
                        time_step * half_length * norm(vector(atom->omega[i]))});
@@ -129,21 +130,11 @@ void MultisphereParticles::move() {
   const LIGGGHTS::ParticleArrays particles(*atom);
   ellipsoid::Motions motions;
   for (std::size_t first = 0; first < poses_.size(); first += ellipsoid::Motions::capacity) {
-    motions.count = static_cast<int>(
-        std::min<std::size_t>(ellipsoid::Motions::capacity, poses_.size() - first));
-    for (int k = 0; k < motions.count; ++k) {
-      const int i = static_cast<int>(first) + k;
-      ellipsoid::ChainPose& pose = poses_[first + static_cast<std::size_t>(k)];
-      ellipsoid::Vector3& last_centre = centres_[first + static_cast<std::size_t>(k)];
-      const ellipsoid::Vector3 centre = vector(particles.x[i]);
-      const ellipsoid::ChainPose now{pose.chain,
-                                     ellipsoid::rotation(quaternion(particles.quaternion[i])).column_x,
-                                     particles.shape[i][1]};
-      motions.set(k, motion(pose, now, centre - last_centre));
-      pose.axis = now.axis;
-      pose.scale = now.scale;
-      last_centre = centre;
-    }
+    const int i = static_cast<int>(first), left = static_cast<int>(poses_.size() - first);
+    motions.count = std::min(ellipsoid::Motions::capacity, left);
+    ellipsoid::take_motions({particles.shape[i], particles.x[i], particles.quaternion[i],
+                             &centres_[3 * first], &poses_[first]},
+                            motions);
     clocks_.advance_from(first, motions);
   }
 }

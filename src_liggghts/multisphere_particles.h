@@ -48,7 +48,7 @@ private:
   using Key = std::tuple<long long, int, int>; // aspect ratio in units of 1e-12, N, spacing
   std::map<Key, std::unique_ptr<ellipsoid::SphereChain>> chains_;
   std::vector<ellipsoid::ChainPose> poses_;
-  std::vector<ellipsoid::Vector3> centres_; // at the last update
+  std::vector<double> centres_; // at the last update: 3 numbers each
   ellipsoid::MotionClocks clocks_;
   LAMMPS_NS::FixPropertyAtom* subspheres_ = nullptr;
   LAMMPS_NS::FixPropertyAtom* spacing_ = nullptr;

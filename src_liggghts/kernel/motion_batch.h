@@ -1,6 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// What the surfaces of many ellipsoids did in a step, from where they are and where they were.
+// What the surfaces of many particles did in a step, from where they are and where they were.
 //
 // In a step a particle is displaced with its centre, and turns by the angle between its two orientations,
 // whatever moved it. What counts is how far it reaches in a direction: when it turns by an angle, that
@@ -8,6 +8,7 @@
 #pragma once
 
 #include "motion_clocks.h"
+#include "multisphere_contact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,5 +38,15 @@ struct PoseRows {
 
 /// @param[in,out] motions of `motions.count` particles
 void take_motions(const PoseRows& poses, Motions& motions);
+
+/// The same of chains of spheres: motion() of each (multisphere_watch.h).
+struct ChainRows {
+  const double* semiaxes;     ///< 3 each: the second is the chain's scale (length)
+  const double* centres;      ///< 3 each (length)
+  const double* orientations; ///< 4 each: unit quaternion
+  double* last_centres;       ///< a step ago; become `centres`
+  ChainPose* poses;           ///< a step ago; become those of now
+};
+void take_motions(const ChainRows& chains, Motions& motions);
 
 } // namespace ellipsoid
