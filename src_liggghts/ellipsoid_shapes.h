@@ -26,9 +26,11 @@ class EllipsoidShapes {
     const auto count = static_cast<std::size_t>(atom.nlocal + atom.nghost);
     if (shapes_.size() != count)
       shapes_.resize(count);
+    const bool made_all = makes_all_ && fresh_.size() == count;
     makes_all_ = !new_lists && (makes_all_ || 2 * asked_for_ > count);
     asked_for_ = 0;
-    fresh_.assign(count, makes_all_ ? 1 : 0);
+    if (!(made_all && makes_all_)) // else all are marked already
+      fresh_.assign(count, makes_all_ ? 1 : 0);
     if (makes_all_)
       make_all();
   }
@@ -51,19 +53,10 @@ class EllipsoidShapes {
   std::vector<char> fresh_;
   std::size_t asked_for_ = 0; // shapes that were made one by one in this step
   bool makes_all_ = false;
-  ellipsoid::ShapeBatch batch_;
 
-  __attribute__((noinline, flatten)) void make_all() {
-    const int count = static_cast<int>(shapes_.size());
-    for (int first = 0; first < count; first += ellipsoid::ShapeBatch::capacity) {
-      batch_.clear();
-      for (int i = first; i < count && !batch_.full(); ++i)
-        batch_.add(ellipsoid_host::vector(particles_.shape[i]),
-                   ellipsoid_host::quaternion(particles_.quaternion[i]));
-      batch_.solve();
-      for (int k = 0; k < batch_.size(); ++k)
-        batch_.store(k, shapes_[static_cast<std::size_t>(first + k)]);
-    }
+  void make_all() {
+    ellipsoid::make_shapes({particles_.shape[0], particles_.quaternion[0], shapes_.data()},
+                           static_cast<int>(shapes_.size()));
   }
 
   __attribute__((noinline, flatten)) void make(int i) {

@@ -14,9 +14,6 @@ class Atom;
 
 namespace LIGGGHTS {
 
-/// In a step a particle is displaced with its centre, and turns by the angle between its two orientations,
-/// whatever moved it. What counts is how far it reaches in a direction: when it turns by an angle, that
-/// changes by at most the angle times the difference of the largest and the smallest semi-axis.
 class SurfaceMotions {
 public:
   /// Takes the motion since the last call; owned and ghost particles.
@@ -26,10 +23,7 @@ public:
   ellipsoid::MotionClocks& clocks() { return clocks_; }
 
 private:
-  struct Pose {
-    double x[3], quaternion[4];
-  };
-  std::vector<Pose> poses_; // at the last call
+  std::vector<double> centres_, orientations_; // at the last call: 3 and 4 numbers each
   ellipsoid::MotionClocks clocks_;
 
   void restart(const LAMMPS_NS::Atom& atom, double time_step, std::size_t count);

@@ -31,29 +31,49 @@ struct Motion {
   double turn = 0.0;    ///< (length)
 };
 
+/// Motions of some bodies that follow each other.
+struct Motions {
+  static constexpr int capacity = 64;
+  alignas(64) double displacements[3 * capacity]; ///< 3 each (length)
+  alignas(64) double turns[capacity];             ///< (length)
+  int count = 0;
+
+  void set(int k, const Motion& motion) {
+    displacements[3 * k] = motion.displacement.x;
+    displacements[3 * k + 1] = motion.displacement.y;
+    displacements[3 * k + 2] = motion.displacement.z;
+    turns[k] = motion.turn;
+  }
+};
+
 class MotionClocks {
  public:
   /// All clocks stand at 0.
   void restart(std::size_t bodies) {
     const double pace = std::max(smallest_pace, first_pace_share * usual_change());
-    bodies_.assign(bodies, Body{Motion(), pace});
+    displacement_.assign(3 * bodies, 0.0);
+    turn_.assign(bodies, 0.0);
+    pace_.assign(bodies, pace);
     time_.assign(bodies, 0.0);
     steps_ = 0.0;
   }
   /// What the first motion is compared with: a guess of it, good or bad.
-  void expect(std::size_t body, const Motion& motion) { bodies_[body].motion = motion; }
+  void expect(std::size_t body, const Motion& motion) {
+    displacement_[3 * body] = motion.displacement.x;
+    displacement_[3 * body + 1] = motion.displacement.y;
+    displacement_[3 * body + 2] = motion.displacement.z;
+    turn_[body] = motion.turn;
+  }
 
   /// To be called once per step, before all advance().
   void begin_step() { steps_ += 1.0; }
-  /// @param[in] motion of the body in this step
+  /// @param[in] motions of bodies in this step, from body `first` on
+  void advance_from(std::size_t first, const Motions& motions);
   void advance(std::size_t body, const Motion& motion) {
-    Body& b = bodies_[body];
-    time_[body] += norm(motion.displacement - b.motion.displacement) +
-                   std::fabs(motion.turn - b.motion.turn) + b.pace;
-    b.motion.displacement.x = motion.displacement.x;
-    b.motion.displacement.y = motion.displacement.y;
-    b.motion.displacement.z = motion.displacement.z;
-    b.motion.turn = motion.turn;
+    Motions one;
+    one.count = 1;
+    one.set(0, motion);
+    advance_from(body, one);
   }
 
   std::size_t size() const { return time_.size(); }
@@ -63,12 +83,12 @@ class MotionClocks {
   /// By how much the bodies come closer in a step (length; negative: they part).
   /// @param[in] normal unit, from i to j: along which their gap is measured
   double approach(int i, int j, const Vector3& normal) const {
-    const Motion &of_i = motion(i), &of_j = motion(j);
+    const Motion of_i = motion(i), of_j = motion(j);
     return dot(normal, of_i.displacement - of_j.displacement) + of_i.turn + of_j.turn;
   }
   /// The same for a gap in any direction.
   double approach(int i, int j) const {
-    const Motion &of_i = motion(i), &of_j = motion(j);
+    const Motion of_i = motion(i), of_j = motion(j);
     return norm(of_i.displacement - of_j.displacement) + of_i.turn + of_j.turn;
   }
 
@@ -100,15 +120,15 @@ class MotionClocks {
   /// Paces that make the most of gaps are near the usual change; how near hardly matters.
   static constexpr double first_pace_share = 0.25, pace_share = 0.7;
 
-  struct Body {
-    Motion motion; ///< in the last step
-    double pace;   ///< never slows down: deadlines were made with it (length)
-  };
-  std::vector<Body> bodies_;
+  std::vector<double> displacement_, turn_; // in the last step: 3 numbers and one per body
+  std::vector<double> pace_; // never slows down: deadlines were made with it (length)
   std::vector<double> time_;
   double steps_ = 0.0; // since restart()
 
-  const Motion& motion(int body) const { return bodies_[static_cast<std::size_t>(body)].motion; }
+  Motion motion(int body) const {
+    const auto b = static_cast<std::size_t>(body);
+    return {{displacement_[3 * b], displacement_[3 * b + 1], displacement_[3 * b + 2]}, turn_[b]};
+  }
 
   /// Mean change of motion in a step, of all bodies; clocks advance by it and by paces near it.
   double usual_change() const {
@@ -121,7 +141,7 @@ class MotionClocks {
 
   /// The body's pace; it grows with the time that its clock takes for a step.
   double pace(int body) {
-    double& pace = bodies_[static_cast<std::size_t>(body)].pace;
+    double& pace = pace_[static_cast<std::size_t>(body)];
     if (steps_ > 0.0)
       pace = std::max(pace, pace_share * time(body) / steps_);
     return pace;
