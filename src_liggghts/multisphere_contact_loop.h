@@ -52,8 +52,8 @@ class MultisphereContactLoop : public EllipsoidContactLoop<MultisphereContactLoo
 
   ellipsoid_host::MultisphereParticles particles_;
   ellipsoid::ContactWatch watch_;
-  std::vector<ellipsoid::SphereContact> found_;
-  std::vector<SpherePair*> touching_; // per contact found
+  std::vector<ellipsoid::ContactWatch::Touching> touching_; // room for all spheres of a pair
+  int found_ = 0; // touching spheres of the pair at hand
   int slot_values_ = 0, slots_ = 0;
   ellipsoid::MulticontactRule rule_ = ellipsoid::MulticontactRule::sum;
 
@@ -82,7 +82,7 @@ class MultisphereContactLoop : public EllipsoidContactLoop<MultisphereContactLoo
       return false;
     find_touching(i, j, pair.place, distance);
     update_slots(i, j, pair.place, flag, history);
-    if (!found_.empty())
+    if (found_ > 0)
       treat_contacts(i, j, distance, flag, history);
     return true;
   }
@@ -117,30 +117,26 @@ class MultisphereContactLoop : public EllipsoidContactLoop<MultisphereContactLoo
   }
 
   void find_touching(int i, int j, std::size_t pair, const ellipsoid::Vector3& distance) {
-    found_.clear();
-    touching_.clear();
-    watch_.for_each_touching(pair, particles_.pose(i), particles_.pose(j), distance,
-                             [this](SpherePair& s, const ellipsoid::SphereContact& contact) {
-                               found_.push_back(contact);
-                               touching_.push_back(&s);
-                             });
-    counts_.values[ContactCounts::tested] +=
-        this->share(j) * static_cast<double>(watch_.end(pair) - watch_.begin(pair));
+    const auto tested = static_cast<std::size_t>(watch_.end(pair) - watch_.begin(pair));
+    if (touching_.size() < tested)
+      touching_.resize(2 * tested);
+    found_ = watch_.find_touching(pair, particles_.pose(i), particles_.pose(j), distance,
+                                  touching_.data());
+    counts_.values[ContactCounts::tested] += this->share(j) * static_cast<double>(tested);
   }
 
   void treat_contacts(int i, int j, const ellipsoid::Vector3& distance, int& flag,
                       double* history) {
-    const double contacts = static_cast<double>(found_.size());
     counts_.values[ContactCounts::touching_pairs] += this->share(j);
-    counts_.values[ContactCounts::contacts] += this->share(j) * contacts;
+    counts_.values[ContactCounts::contacts] += this->share(j) * found_;
     flag = CONTACT_SURFACE_MODEL;
     const typename Base::TouchingPair pair{i, j, &flag, distance};
-    const double weight = multicontact_weight(rule_, static_cast<int>(found_.size()));
-    for (std::size_t k = 0; k < found_.size(); ++k) {
-      const ellipsoid::SphereContact& c = found_[k];
+    const double weight = multicontact_weight(rule_, found_);
+    for (int k = 0; k < found_; ++k) {
+      const ellipsoid::SphereContact& c = touching_[static_cast<std::size_t>(k)].contact;
+      double* slot = &history[slot_values_ * touching_[static_cast<std::size_t>(k)].spheres->slot];
       this->add_contact(pair, {c.normal, c.point, c.overlap, c.reduced_radius, c.radius_i,
-                               c.radius_j, &history[slot_values_ * touching_[k]->slot], weight,
-                               c.sphere_i, c.sphere_j});
+                               c.radius_j, slot, weight, c.sphere_i, c.sphere_j});
     }
   }
 
@@ -165,9 +161,9 @@ class MultisphereContactLoop : public EllipsoidContactLoop<MultisphereContactLoo
 
   /// Known contacts keep their slots, contacts that ended leave theirs, new ones get free slots.
   void update_slots(int i, int j, std::size_t pair, int& flag, double* history) {
-    auto touching = touching_.begin();
-    for (SpherePair* s = watch_.begin(pair); s != watch_.end(pair); ++s) {
-      if (touching != touching_.end() && *touching == s) {
+    const auto *touching = touching_.data(), *last = touching + found_;
+    for (SpherePair *s = watch_.begin(pair), *end = watch_.end(pair); s != end; ++s) {
+      if (touching != last && touching->spheres == s) {
         ++touching;
       } else if (s->slot >= 0) {
         clear_slot(i, j, flag, &history[slot_values_ * s->slot]);
@@ -176,7 +172,8 @@ class MultisphereContactLoop : public EllipsoidContactLoop<MultisphereContactLoo
     }
     flag = 0;
     int free_slot = 0;
-    for (SpherePair* s : touching_) {
+    for (touching = touching_.data(); touching != last; ++touching) {
+      SpherePair* s = touching->spheres;
       if (s->slot >= 0)
         continue;
       while (free_slot < slots_ && history[slot_values_ * free_slot + key_sum] != 0.0)
@@ -198,7 +195,7 @@ class MultisphereContactLoop : public EllipsoidContactLoop<MultisphereContactLoo
   void complain_of_slots(int i, int j) {
     error->one(FLERR,
                ("pair_style gran/ellipsoid: atoms " + std::to_string(atom->tag[i]) + " and " +
-                std::to_string(atom->tag[j]) + " touch at " + std::to_string(found_.size()) +
+                std::to_string(atom->tag[j]) + " touch at " + std::to_string(found_) +
                 " places, setting 'contacts' allows " + std::to_string(slots_) + "; raise it")
                    .c_str());
   }

@@ -8,8 +8,10 @@
 #include "modify.h"
 #include "multisphere_watch.h"
 #include "neighbor.h"
+#include "particle_arrays.h"
 #include "update.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -124,12 +126,25 @@ void MultisphereParticles::begin_lists(std::size_t count) {
 
 void MultisphereParticles::move() {
   clocks_.begin_step();
-  for (std::size_t i = 0; i < poses_.size(); ++i) {
-    const ellipsoid::ChainPose before = poses_[i];
-    const ellipsoid::Vector3 centre = vector(atom->x[i]);
-    place(static_cast<int>(i), poses_[i]);
-    clocks_.advance(i, motion(before, poses_[i], centre - centres_[i]));
-    centres_[i] = centre;
+  const LIGGGHTS::ParticleArrays particles(*atom);
+  ellipsoid::Motions motions;
+  for (std::size_t first = 0; first < poses_.size(); first += ellipsoid::Motions::capacity) {
+    motions.count = static_cast<int>(
+        std::min<std::size_t>(ellipsoid::Motions::capacity, poses_.size() - first));
+    for (int k = 0; k < motions.count; ++k) {
+      const int i = static_cast<int>(first) + k;
+      ellipsoid::ChainPose& pose = poses_[first + static_cast<std::size_t>(k)];
+      ellipsoid::Vector3& last_centre = centres_[first + static_cast<std::size_t>(k)];
+      const ellipsoid::Vector3 centre = vector(particles.x[i]);
+      const ellipsoid::ChainPose now{pose.chain,
+                                     ellipsoid::rotation(quaternion(particles.quaternion[i])).column_x,
+                                     particles.shape[i][1]};
+      motions.set(k, motion(pose, now, centre - last_centre));
+      pose.axis = now.axis;
+      pose.scale = now.scale;
+      last_centre = centre;
+    }
+    clocks_.advance_from(first, motions);
   }
 }
 

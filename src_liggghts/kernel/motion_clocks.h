@@ -55,7 +55,7 @@ class MotionClocks {
     turn_.assign(bodies, 0.0);
     pace_.assign(bodies, pace);
     time_.assign(bodies, 0.0);
-    steps_ = 0.0;
+    steps_ = pace_per_time_ = 0.0;
   }
   /// What the first motion is compared with: a guess of it, good or bad.
   void expect(std::size_t body, const Motion& motion) {
@@ -66,7 +66,10 @@ class MotionClocks {
   }
 
   /// To be called once per step, before all advance().
-  void begin_step() { steps_ += 1.0; }
+  void begin_step() {
+    steps_ += 1.0;
+    pace_per_time_ = pace_share / steps_;
+  }
   /// @param[in] motions of bodies in this step, from body `first` on
   void advance_from(std::size_t first, const Motions& motions);
   void advance(std::size_t body, const Motion& motion) {
@@ -79,6 +82,8 @@ class MotionClocks {
   std::size_t size() const { return time_.size(); }
   /// Of a body's clock (length).
   double time(int body) const { return time_[static_cast<std::size_t>(body)]; }
+
+  const double* times() const { return time_.data(); }
 
   /// By how much the bodies come closer in a step (length; negative: they part).
   /// @param[in] normal unit, from i to j: along which their gap is measured
@@ -124,7 +129,8 @@ class MotionClocks {
   std::vector<double> displacement_, turn_; // in the last step: 3 numbers and one per body
   std::vector<double> pace_; // never slows down: deadlines were made with it (length)
   std::vector<double> time_;
-  double steps_ = 0.0; // since restart()
+  double steps_ = 0.0;         // since restart()
+  double pace_per_time_ = 0.0; // of the clock
 
   Motion motion(int body) const {
     const auto b = static_cast<std::size_t>(body);
@@ -143,8 +149,7 @@ class MotionClocks {
   /// The body's pace; it grows with the time that its clock takes for a step.
   double pace(int body) {
     double& pace = pace_[static_cast<std::size_t>(body)];
-    if (steps_ > 0.0)
-      pace = std::max(pace, pace_share * time(body) / steps_);
+    pace = std::max(pace, pace_per_time_ * time(body));
     return pace;
   }
 };

@@ -50,6 +50,11 @@ int SphereChain::first_at_or_after(double x) const {
   return static_cast<int>(std::lower_bound(centres_.begin(), centres_.end(), x) - centres_.begin());
 }
 
+Vector3 normal_across(const Vector3& axis) {
+  return normalized(
+      cross(axis, std::fabs(axis.x) < 0.5 ? Vector3{1.0, 0.0, 0.0} : Vector3{0.0, 1.0, 0.0}));
+}
+
 namespace multisphere_search {
 namespace {
 

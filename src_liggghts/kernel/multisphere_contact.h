@@ -87,35 +87,43 @@ struct ContactCount {
   int tested = 0; ///< distances between spheres computed: potential contacts (figure 18)
 };
 
+/// One sphere of a chain, in lengths of the chain.
+struct ChainSphere {
+  int number;
+  double centre, radius;
+};
+
+inline ChainSphere sphere(const SphereChain& chain, int k) {
+  return {k, chain.centre(k), chain.radius(k)};
+}
+
 /// From the centre of sphere k of i to that of sphere l of j (length).
 inline Vector3 sphere_distance(const ChainPose& i, const ChainPose& j,
-                               const Vector3& centre_distance, int k, int l) {
+                               const Vector3& centre_distance, double centre_k, double centre_l) {
   // This order of operations changes only its sign when i and j are swapped.
-  return centre_distance +
-         ((j.scale * j.chain->centre(l)) * j.axis - (i.scale * i.chain->centre(k)) * i.axis);
+  return centre_distance + ((j.scale * centre_l) * j.axis - (i.scale * centre_k) * i.axis);
 }
+
+/// Coinciding centres have no normal of their own: any direction across the axis of i will do.
+Vector3 normal_across(const Vector3& axis);
 
 /// Tests one pair of spheres.
 /// @param[in] centre_distance x_j - x_i (length)
 /// @return whether they touch; `contact` is complete then, untouched otherwise
-inline bool touch(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance, int k,
-                  int l, SphereContact& contact) {
-  const Vector3 distance = sphere_distance(i, j, centre_distance, k, l);
-  const double radius_k = i.scale * i.chain->radius(k), radius_l = j.scale * j.chain->radius(l);
+inline bool touch(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance,
+                  const ChainSphere& k, const ChainSphere& l, SphereContact& contact) {
+  const Vector3 distance = sphere_distance(i, j, centre_distance, k.centre, l.centre);
+  const double radius_k = i.scale * k.radius, radius_l = j.scale * l.radius;
   const double sum = radius_k + radius_l, squared = dot(distance, distance);
   if (!(squared < sum * sum))
     return false;
-  const double length = std::sqrt(squared);
-  contact.sphere_i = k;
-  contact.sphere_j = l;
-  // Coinciding centres have no normal of their own: any direction across the axis of i will do.
-  contact.normal =
-      length > 0.0 ? (1.0 / length) * distance
-                   : normalized(cross(i.axis, std::fabs(i.axis.x) < 0.5 ? Vector3{1.0, 0.0, 0.0}
-                                                                        : Vector3{0.0, 1.0, 0.0}));
-  contact.overlap = sum - length;
-  contact.point =
-      (i.scale * i.chain->centre(k)) * i.axis + (radius_k - 0.5 * contact.overlap) * contact.normal;
+  const double length = std::sqrt(squared), overlap = sum - length;
+  const Vector3 normal = length > 0.0 ? (1.0 / length) * distance : normal_across(i.axis);
+  contact.sphere_i = k.number;
+  contact.sphere_j = l.number;
+  contact.normal = normal;
+  contact.overlap = overlap;
+  contact.point = (i.scale * k.centre) * i.axis + (radius_k - 0.5 * overlap) * normal;
   contact.reduced_radius = radius_k * radius_l / sum;
   contact.radius_i = radius_k;
   contact.radius_j = radius_l;
@@ -249,7 +257,7 @@ int for_each_near_pair(const ChainPose& i, const ChainPose& j, const Vector3& ce
   if (i.chain->count() * j.chain->count() <= direct_search_limit) {
     for (int k = 0; k < i.chain->count(); ++k)
       for (int l = 0; l < j.chain->count(); ++l) {
-        const Vector3 distance = sphere_distance(i, j, centre_distance, k, l);
+        const Vector3 distance = sphere_distance(i, j, centre_distance, i.chain->centre(k), j.chain->centre(l));
         visit(k, l, i.scale * i.chain->radius(k) + j.scale * j.chain->radius(l) - norm(distance));
       }
     return i.chain->count() * j.chain->count();
@@ -271,7 +279,7 @@ ContactCount for_each_contact(const ChainPose& i, const ChainPose& j,
   ContactCount count;
   SphereContact contact;
   count.tested = for_each_near_pair(i, j, centre_distance, 0.0, [&](int k, int l, double) {
-    if (!touch(i, j, centre_distance, k, l, contact))
+    if (!touch(i, j, centre_distance, sphere(*i.chain, k), sphere(*j.chain, l), contact))
       return;
     ++count.contacts;
     on_contact(static_cast<const SphereContact&>(contact));

@@ -71,18 +71,22 @@ class ContactWatch {
   SpherePair* begin(std::size_t pair) { return &spheres_[watched_[pair].first]; }
   SpherePair* end(std::size_t pair) { return begin(pair) + watched_[pair].count; }
 
-  /// Calls on_touch(SpherePair&, const SphereContact&) for all spheres to test that touch.
-  template <class OnTouch>
-  void for_each_touching(std::size_t pair, const ChainPose& i, const ChainPose& j,
-                         const Vector3& centre_distance, const OnTouch& on_touch) {
-    const Vector3 axis_i = i.scale * i.axis, axis_j = j.scale * j.axis;
+  struct Touching {
+    SpherePair* spheres;
+    SphereContact contact;
+  };
+  /// Finds all spheres to test that touch, in their order.
+  /// @param[out] touching has room for all from begin() to end()
+  /// @return how many touch
+  int find_touching(std::size_t pair, const ChainPose& i, const ChainPose& j,
+                    const Vector3& centre_distance, Touching* touching) {
+    int count = 0;
     for (SpherePair *s = begin(pair), *last = end(pair); s != last; ++s) {
-      const Vector3 distance = centre_distance + (s->centre_j * axis_j - s->centre_i * axis_i);
-      const double sum = (1.0 + search_rounding) * (i.scale * s->radius_i + j.scale * s->radius_j);
-      if (dot(distance, distance) < sum * sum &&
-          touch(i, j, centre_distance, s->sphere_i, s->sphere_j, contact_))
-        on_touch(*s, static_cast<const SphereContact&>(contact_));
+      touching[count].spheres = s;
+      count += touch(i, j, centre_distance, {s->sphere_i, s->centre_i, s->radius_i},
+                     {s->sphere_j, s->centre_j, s->radius_j}, touching[count].contact);
     }
+    return count;
   }
 
  private:
@@ -94,7 +98,6 @@ class ContactWatch {
   std::vector<Watched> watched_;
   std::vector<SpherePair> spheres_;
   std::vector<SpherePair> found_;
-  SphereContact contact_; // here, not to be cleared for every pair
 
   int find(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance, double gap);
   void keep_found(std::size_t pair);

@@ -27,12 +27,14 @@ void SleepingPairs::count(int i, int j) {
 void SleepingPairs::make_room() {
   deadlines_.assign(2 * size_, never);
   twins_.resize(deadlines_.size());
-  std::size_t end = 0;
+  std::size_t end = 0, most = 0;
   for (Body& body : bodies_) {
     body.begin = end;
     end = body.end();
+    most = std::max(most, end - body.begin);
     body.as_second = 0; // counted anew by connect()
   }
+  due_.resize(most);
 }
 
 void SleepingPairs::connect(std::size_t place, int i, int j) {

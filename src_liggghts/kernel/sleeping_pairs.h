@@ -40,12 +40,16 @@ class SleepingPairs {
 
   /// Wakes the pairs that are due: on_due(place, i, j) for each.
   template <class OnDue> void wake(const MotionClocks& clocks, const OnDue& on_due) {
-    for (std::size_t body = 0; body < looks_at_.size(); ++body)
-      if (clocks.time(static_cast<int>(body)) >= looks_at_[body])
-        look(static_cast<int>(body), clocks, on_due);
+    int due[block];
+    for (std::size_t first = 0; first < looks_at_.size(); first += block) {
+      const int count = find_due(first, clocks, due);
+      for (int k = 0; k < count; ++k)
+        look(due[k], clocks.time(due[k]), on_due);
+    }
   }
 
  private:
+  static constexpr std::size_t block = 64; ///< of bodies
   static constexpr float never = std::numeric_limits<float>::infinity();
   /// A body has one entry for each of its pairs: first those with it as `i`.
   struct Body {
@@ -64,6 +68,7 @@ class SleepingPairs {
   std::vector<float> looks_at_;  ///< least deadline of each body
   std::vector<float> deadlines_; ///< by entry: time of the body; never: the pair is awake
   std::vector<Twin> twins_;      ///< by entry
+  std::vector<std::size_t> due_; ///< as many as the largest number of entries of a body
 
   void begin(std::size_t bodies);
   void count(int i, int j);
@@ -71,16 +76,38 @@ class SleepingPairs {
   void connect(std::size_t place, int i, int j);
   void set_deadline(int body, std::size_t entry, double time);
 
-  template <class OnDue> void look(int body, const MotionClocks& clocks, const OnDue& on_due) {
+  // Which bodies and pairs are due cannot be foreseen: no branch depends on it.
+
+  /// Bodies of a block whose clocks have come to the first of their deadlines.
+  /// @return how many
+  int find_due(std::size_t first, const MotionClocks& clocks, int* due) const {
+    const std::size_t end = std::min(first + block, looks_at_.size());
+    const double* times = clocks.times();
+    int count = 0;
+    for (std::size_t body = first; body < end; ++body) {
+      due[count] = static_cast<int>(body);
+      count += times[body] >= looks_at_[body];
+    }
+    return count;
+  }
+
+  template <class OnDue> void look(int body, double time, const OnDue& on_due) {
     const Body& own = bodies_[static_cast<std::size_t>(body)];
-    const double time = clocks.time(body);
+    const std::size_t end = own.end();
+    const float now = static_cast<float>(time); // rounded: too early at worst
+    const float* deadlines = deadlines_.data();
+    std::size_t* due = due_.data();
+    std::size_t count = 0;
     float least = never;
-    for (std::size_t entry = own.begin; entry < own.end(); ++entry) {
-      if (deadlines_[entry] <= time)
-        wake_pair(body, entry, on_due);
-      least = std::min(least, deadlines_[entry]);
+    for (std::size_t entry = own.begin; entry < end; ++entry) {
+      const float deadline = deadlines[entry];
+      due[count] = entry;
+      count += deadline <= now;
+      least = std::min(least, deadline <= now ? never : deadline);
     }
     looks_at_[static_cast<std::size_t>(body)] = least;
+    for (std::size_t k = 0; k < count; ++k)
+      wake_pair(body, due[k], on_due);
   }
 
   template <class OnDue> void wake_pair(int body, std::size_t entry, const OnDue& on_due) {

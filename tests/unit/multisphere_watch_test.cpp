@@ -71,12 +71,15 @@ struct Tumbling {
 /// Touching pairs among those that the watch has, ascending.
 Pairs watched(ContactWatch& watch, const Tumbling& bodies) {
   Pairs pairs;
-  watch.for_each_touching(1, bodies.i, bodies.j, bodies.centre_distance,
-                          [&](const ContactWatch::SpherePair& s, const SphereContact& contact) {
-                            EXPECT_EQ(s.sphere_i, contact.sphere_i);
-                            EXPECT_EQ(s.sphere_j, contact.sphere_j);
-                            pairs.emplace_back(s.sphere_i, s.sphere_j);
-                          });
+  std::vector<ContactWatch::Touching> touching(
+      static_cast<std::size_t>(watch.end(1) - watch.begin(1)));
+  touching.resize(static_cast<std::size_t>(watch.find_touching(
+      1, bodies.i, bodies.j, bodies.centre_distance, touching.data())));
+  for (const ContactWatch::Touching& t : touching) {
+    EXPECT_EQ(t.spheres->sphere_i, t.contact.sphere_i);
+    EXPECT_EQ(t.spheres->sphere_j, t.contact.sphere_j);
+    pairs.emplace_back(t.spheres->sphere_i, t.spheres->sphere_j);
+  }
   return pairs;
 }
 
