@@ -365,27 +365,31 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
       apply_alone(pair, touch);
       return;
     }
-    using ellipsoid_host::vector;
-    const int i = pair.i, j = pair.j;
+    waiting_contacts_[law_batch_.size()] = {pair.i,         pair.j,         pair.flag,
+                                            touch.history,  touch.weight,   touch.radius_i,
+                                            touch.radius_j, touch.sphere_i, touch.sphere_j};
     if (!pair.is_flagged)
-      *pair.flag |= CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
-    waiting_contacts_[law_batch_.size()] = {i,
-                                            j,
-                                            pair.flag,
-                                            touch.history,
-                                            touch.weight,
-                                            touch.radius_i,
-                                            touch.radius_j,
-                                            touch.sphere_i,
-                                            touch.sphere_j};
+      flag_for_law(*pair.flag);
     law_batch_.add({-touch.normal, touch.point, touch.point - pair.distance,
                     std::max(0.0, touch.overlap), touch.reduced_radius},
-                   {vector(particles_.v[i]) - vector(particles_.v[j]), vector(particles_.omega[i]),
-                    vector(particles_.omega[j])},
-                   tables_.parameters(particles_.type[i], particles_.type[j]), masses(i, j),
-                   vector(&touch.history[spring_offset_]));
+                   motion(pair.i, pair.j), law_parameters(pair.i, pair.j), masses(pair.i, pair.j),
+                   spring(touch.history));
     if (law_batch_.full())
       apply_waiting_contacts();
+  }
+
+  static void flag_for_law(int& flag) { flag |= CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL; }
+
+  ellipsoid::PairMotion motion(int i, int j) const {
+    using ellipsoid_host::vector;
+    return {vector(particles_.v[i]) - vector(particles_.v[j]), vector(particles_.omega[i]),
+            vector(particles_.omega[j])};
+  }
+  const ellipsoid::LawParameters& law_parameters(int i, int j) const {
+    return tables_.parameters(particles_.type[i], particles_.type[j]);
+  }
+  ellipsoid::Vector3 spring(const double* history) const {
+    return ellipsoid_host::vector(&history[spring_offset_]);
   }
 
   /// By the host's contact models.
@@ -395,12 +399,14 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
     apply_contact(c, touch.weight);
   }
 
-  /// In the order in which they came.
+  /// In the order in which they came; those without history are none.
   __attribute__((noinline)) void apply_waiting_contacts() {
     const bool advances_springs = contact_.computeflag && contact_.shearupdate;
     law_batch_.solve({update->dt, advances_springs, no_attraction_});
     for (int k = 0; k < law_batch_.size(); ++k) {
       const WaitingContact& waiting = waiting_contacts_[k];
+      if (!waiting.history)
+        continue;
       if (advances_springs)
         ellipsoid_host::store(law_batch_.spring(k), &waiting.history[spring_offset_]);
       const ellipsoid::ContactAction action = law_batch_.action(k);

@@ -48,7 +48,7 @@ class MultisphereContactLoop : public EllipsoidContactLoop<MultisphereContactLoo
   /// within fewer steps for fine chains, where a gap has the more spheres the wider it is. It is no
   /// nearer nor farther than these shares of both radii of the bodies' middles.
   static constexpr double look_ahead = 50.0, look_ahead_of_chain = 500.0;
-  static constexpr double smallest_gap_share = 1e-4, largest_gap_share = 0.1;
+  static constexpr double smallest_gap_share = 1e-3, largest_gap_share = 0.1;
 
   ellipsoid_host::MultisphereParticles particles_;
   ellipsoid::ContactWatch watch_;

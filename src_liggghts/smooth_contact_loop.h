@@ -120,6 +120,10 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     batch_.clear();
   }
 
+  struct Counts {
+    double tested = 0.0, newton_steps = 0.0, touching = 0.0, not_converged = 0.0;
+  };
+
   /// A touching pair starts from its last normal, together with others.
   __attribute__((always_inline)) bool treat_pair(const typename Base::ListPair& pair, int& flag,
                                                  double* history) {
@@ -131,9 +135,6 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     waiting.j = pair.j;
     waiting.flag = &flag;
     waiting.history = history;
-    waiting.distance.x = distance.x;
-    waiting.distance.y = distance.y;
-    waiting.distance.z = distance.z;
     batch_.add(shape(pair.i), shape(pair.j), distance,
                -ellipsoid_host::vector(&history[normal_x]));
     if (batch_.full())
@@ -165,7 +166,7 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     options.goal = ellipsoid::SearchGoal::distance; // the farther apart, the longer the pair sleeps
     const ellipsoid::ContactGeometry contact = find_contact(shape(i), shape(j), distance, options);
     Counts counts;
-    treat_result({i, j, &flag, history, distance, false}, contact, counts);
+    treat_result({i, j, &flag, history, false}, contact, counts);
     publish(counts);
     if (contact.status != ellipsoid::ContactStatus::separated)
       return true;
@@ -174,18 +175,54 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
   }
 
   /// The waiting pairs, in the order in which they came.
-  __attribute__((noinline, flatten)) void finish() {
+  __attribute__((noinline)) void finish() {
     batch_.solve();
     Counts counts; // here, to live in registers
-    for (int k = 0; k < batch_.size(); ++k)
-      treat_result(waiting_[k], batch_.geometry(k), counts);
+    if (this->in_batches_)
+      treat_together(counts);
+    else
+      treat_one_by_one(counts);
     publish(counts);
     batch_.clear();
   }
 
-  struct Counts {
-    double tested = 0.0, newton_steps = 0.0, touching = 0.0, not_converged = 0.0;
-  };
+  void treat_one_by_one(Counts& counts) {
+    for (int k = 0; k < batch_.size(); ++k)
+      treat_result(waiting_[k], batch_.geometry(k), counts);
+  }
+
+  /// By the batch of the contact law, which takes its places from that of the search.
+  __attribute__((flatten)) void treat_together(Counts& counts) {
+    this->apply_waiting_contacts();
+    batch_.solve_open();
+    this->law_batch_.take_places(batch_);
+    const bool stores_normals = remembers();
+    for (int k = 0; k < batch_.size(); ++k) {
+      const PairAtHand pair = waiting_[k];
+      auto& contact = this->waiting_contacts_[k];
+      const double share = this->share(pair.j);
+      counts.tested += share;
+      counts.newton_steps += share * batch_.steps(k);
+      if (stores_normals)
+        ellipsoid_host::store(-batch_.normal(k), &pair.history[normal_x]);
+      if (batch_.is_apart(k)) {
+        forget(pair.i, pair.j, *pair.flag, pair.history);
+        contact.history = nullptr;
+        continue;
+      }
+      counts.touching += share;
+      counts.not_converged += batch_.has_converged(k) ? 0.0 : share;
+      if (!flags_are_set_) {
+        *pair.flag |= CONTACT_SURFACE_MODEL;
+        this->flag_for_law(*pair.flag);
+      }
+      contact = {pair.i, pair.j, pair.flag, pair.history, 1.0, batch_.curvature_radius_i(k),
+                 batch_.curvature_radius_j(k), -1, -1};
+      this->law_batch_.move(k, this->motion(pair.i, pair.j), this->law_parameters(pair.i, pair.j),
+                            this->masses(pair.i, pair.j), this->spring(pair.history));
+    }
+    this->apply_waiting_contacts();
+  }
 
   void publish(const Counts& counts) {
     counts_.values[ContactCounts::tested] += counts.tested;
@@ -203,7 +240,6 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     int i, j;
     int* flag;
     double* history;
-    ellipsoid::Vector3 distance;
     bool touched = true; ///< in the last step
   };
 
@@ -236,7 +272,8 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
   }
 
   void treat_contact(const PairAtHand& pair, const ellipsoid::ContactGeometry& geometry) {
-    const typename Base::TouchingPair touching{pair.i, pair.j, pair.flag, pair.distance,
+    const typename Base::TouchingPair touching{pair.i, pair.j, pair.flag,
+                                               this->centre_distance(pair.i, pair.j),
                                                pair.touched && flags_are_set_};
     if (!touching.is_flagged)
       *pair.flag |= CONTACT_SURFACE_MODEL;

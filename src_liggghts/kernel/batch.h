@@ -18,6 +18,7 @@ class Batch {
  protected:
   /// Place of the next item.
   int next() { return size_++; }
+  void resize(int size) { size_ = size; }
 
  private:
   int size_ = 0;

@@ -196,6 +196,29 @@ void ContactBatch::solve() {
   search(columns_, size());
 }
 
+void ContactBatch::solve_open() {
+  using C = Columns;
+  for (int k = 0; k < size(); ++k) {
+    if (columns_.out[C::open][k] == 0.0)
+      continue;
+    const ContactGeometry c = search_alone(k);
+    const auto put = [this, k](int column, double value) { columns_.out[column][k] = value; };
+    const auto put_vector = [&put](int column, const Vector3& v) {
+      put(column, v.x);
+      put(column + 1, v.y);
+      put(column + 2, v.z);
+    };
+    put_vector(C::nx, c.normal);
+    put_vector(C::px, c.point);
+    put(C::overlap, c.overlap);
+    put(C::reduced_radius, c.reduced_radius);
+    put(C::radius_i, c.curvature_radius_i);
+    put(C::radius_j, c.curvature_radius_j);
+    put(C::steps, c.iterations);
+    put(C::open, c.status == ContactStatus::not_converged ? 1.0 : 0.0);
+  }
+}
+
 void ContactBatch::find_gaps() {
   fill_last_block();
   separate_all(columns_, size());

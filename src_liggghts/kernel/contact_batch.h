@@ -26,8 +26,10 @@ class ContactBatch : public Batch {
   void add(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& centre_distance,
            const Vector3& start);
 
-  /// Searches the contacts of all pairs added.
+  /// Searches the contacts of all pairs added, but for a few that it leaves open.
   void solve();
+  /// Searches the pairs that solve() left open.
+  void solve_open();
 
   /// Instead of solve(): for pairs that should be apart. One Newton step, no more.
   void find_gaps();
@@ -41,6 +43,12 @@ class ContactBatch : public Batch {
 
   /// What find_contact_from() would say of pair k, to the tolerances of contact_tolerances.h.
   ContactGeometry geometry(int k) const;
+  /// The same after solve_open(), number by number.
+  bool is_apart(int k) const { return columns_.out[Columns::overlap][k] < 0.0; }
+  bool has_converged(int k) const { return columns_.out[Columns::open][k] == 0.0; }
+  double steps(int k) const { return columns_.out[Columns::steps][k]; }
+  double curvature_radius_i(int k) const { return columns_.out[Columns::radius_i][k]; }
+  double curvature_radius_j(int k) const { return columns_.out[Columns::radius_j][k]; }
 
   /// Columns of numbers, one per pair.
   struct Columns {
@@ -49,11 +57,13 @@ class ContactBatch : public Batch {
                  input_count };
     enum Result { nx, ny, nz, px, py, pz, overlap, reduced_radius, radius_i, radius_j,
                   steps, ///< evaluations of the overlap function
-                  open,  ///< 0: solved
+                  open,  ///< 0: solved; otherwise to be searched alone, or not converged
                   result_count };
     alignas(64) double in[input_count][column_length];
     alignas(64) double out[result_count][column_length];
   };
+
+  const Columns& columns() const { return columns_; }
 
 private:
   Columns columns_;

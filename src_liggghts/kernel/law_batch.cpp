@@ -96,7 +96,39 @@ inline void law_loop(Columns& c, int size) {
 
 ELLIPSOID_VECTOR_VERSIONS(law, Columns)
 
+struct Places {
+  const ContactBatch::Columns& from;
+  Columns& to;
+};
+
+/// Normals of the law point from j to i.
+inline void take_loop(Places& places, int size) {
+  using From = ContactBatch::Columns;
+  const auto& out = places.from.out;
+  const auto& in = places.from.in;
+  auto& to = places.to.in;
+#pragma GCC ivdep
+  for (int k = 0; k < size; ++k) {
+    for (int l = 0; l < 3; ++l) {
+      to[C::nx + l][k] = -out[From::nx + l][k];
+      to[C::lix + l][k] = out[From::px + l][k];
+      to[C::ljx + l][k] = out[From::px + l][k] - in[From::dx + l][k];
+    }
+    const double overlap = out[From::overlap][k];
+    to[C::overlap][k] = overlap > 0.0 ? overlap : 0.0;
+    to[C::radius][k] = out[From::reduced_radius][k];
+  }
+}
+
+ELLIPSOID_VECTOR_VERSIONS(take, Places)
+
 } // namespace
+
+void ContactLawBatch::take_places(const ContactBatch& pairs) {
+  resize(pairs.size());
+  Places places{pairs.columns(), columns_};
+  take(places, size());
+}
 
 void ContactLawBatch::solve(const LawPass& pass) {
   columns_.pass = pass;

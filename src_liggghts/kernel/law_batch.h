@@ -7,7 +7,7 @@
 // Sign conventions are those of contact_law.h: the unit normal points from j to i, forces act on i.
 #pragma once
 
-#include "batch.h"
+#include "contact_batch.h"
 #include "contact_law.h"
 
 namespace ellipsoid {
@@ -63,6 +63,12 @@ class ContactLawBatch : public Batch {
   void add(const ContactPlace& place, const PairMotion& motion, const LawParameters& parameters,
            const PairMasses& masses, const Vector3& spring);
 
+  /// Instead of add(): as many contacts as the batch has pairs, at the places that it found. Each of them
+  /// then needs move(); what becomes of a pair that is apart means nothing.
+  void take_places(const ContactBatch& pairs);
+  void move(int k, const PairMotion& motion, const LawParameters& parameters,
+            const PairMasses& masses, const Vector3& spring);
+
   void solve(const LawPass& pass);
 
   /// As it was added.
@@ -85,38 +91,46 @@ class ContactLawBatch : public Batch {
   };
 
 private:
-  Columns columns_;
+  Columns columns_{};
+
+  void put(int column, int k, const Vector3& v);
 };
 
 // Inline, and number by number, as in contact_batch.h.
+
+inline void ContactLawBatch::put(int column, int k, const Vector3& v) {
+  columns_.in[column][k] = v.x;
+  columns_.in[column + 1][k] = v.y;
+  columns_.in[column + 2][k] = v.z;
+}
 
 inline void ContactLawBatch::add(const ContactPlace& place, const PairMotion& motion,
                                  const LawParameters& parameters, const PairMasses& masses,
                                  const Vector3& spring) {
   using C = Columns;
   const int k = next();
-  const auto put = [this, k](int column, double value) { columns_.in[column][k] = value; };
-  const auto put_vector = [&put](int first, const Vector3& v) {
-    put(first, v.x);
-    put(first + 1, v.y);
-    put(first + 2, v.z);
-  };
-  put_vector(C::nx, place.normal);
-  put_vector(C::lix, place.lever_i);
-  put_vector(C::ljx, place.lever_j);
-  put(C::overlap, place.overlap);
-  put(C::radius, place.reduced_radius);
-  put_vector(C::vx, motion.velocity);
-  put_vector(C::wix, motion.omega_i);
-  put_vector(C::wjx, motion.omega_j);
-  put(C::modulus, parameters.effective_modulus);
-  put(C::shear_modulus, parameters.effective_shear_modulus);
-  put(C::normal_damping, parameters.normal_damping);
-  put(C::tangential_damping, parameters.tangential_damping);
-  put(C::friction, parameters.friction);
-  put(C::mass_i, masses.i);
-  put(C::mass_j, masses.j);
-  put_vector(C::sx, spring);
+  put(C::nx, k, place.normal);
+  put(C::lix, k, place.lever_i);
+  put(C::ljx, k, place.lever_j);
+  columns_.in[C::overlap][k] = place.overlap;
+  columns_.in[C::radius][k] = place.reduced_radius;
+  move(k, motion, parameters, masses, spring);
+}
+
+inline void ContactLawBatch::move(int k, const PairMotion& motion, const LawParameters& parameters,
+                                  const PairMasses& masses, const Vector3& spring) {
+  using C = Columns;
+  put(C::vx, k, motion.velocity);
+  put(C::wix, k, motion.omega_i);
+  put(C::wjx, k, motion.omega_j);
+  columns_.in[C::modulus][k] = parameters.effective_modulus;
+  columns_.in[C::shear_modulus][k] = parameters.effective_shear_modulus;
+  columns_.in[C::normal_damping][k] = parameters.normal_damping;
+  columns_.in[C::tangential_damping][k] = parameters.tangential_damping;
+  columns_.in[C::friction][k] = parameters.friction;
+  columns_.in[C::mass_i][k] = masses.i;
+  columns_.in[C::mass_j][k] = masses.j;
+  put(C::sx, k, spring);
 }
 
 inline ContactPlace ContactLawBatch::place(int k) const {

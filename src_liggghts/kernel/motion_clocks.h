@@ -2,8 +2,8 @@
 //
 // How long bodies that are apart stay apart, whatever happens to them.
 //
-// In one step a body is displaced by w, and no point of it moves by more than t besides (its turn). Two
-// bodies a gap g apart along the unit normal n, from i to j, that went on like that would come closer by
+// In one step a body is displaced by w, and what else it does changes its reach in any direction by no more
+// than t (its turn). Two bodies a gap g apart along the unit normal n, from i to j, that went on like that would come closer by
 //   c = n.(w_i - w_j) + t_i + t_j
 // in every step: motion that they have in common costs nothing. But motions change, by
 // |w' - w| + |t' - t| from one step to the next. Every body has a clock that adds up these changes,
@@ -25,10 +25,10 @@
 
 namespace ellipsoid {
 
-/// Of a body in one step: no point of it moves by anything but the displacement plus at most the turn.
+/// Of a body in one step.
 struct Motion {
   Vector3 displacement; ///< (length)
-  double turn = 0.0;    ///< (length)
+  double turn = 0.0; ///< by which its reach in any direction changed at most besides (length)
 };
 
 /// Motions of some bodies that follow each other.
@@ -120,7 +120,8 @@ class MotionClocks {
  private:
   /// Motions are differences of positions, which are rounded: so much of a gap is relied upon.
   static constexpr double trusted_share = 1.0 - 1e-9;
-  static constexpr double smallest_pace = 1e-100; // (length)
+  /// For bodies that have never moved: deadlines in single precision can be told from 0 (length).
+  static constexpr double smallest_pace = 1e-30;
 
   /// Paces that make the most of gaps are near the usual change; how near hardly matters.
   static constexpr double first_pace_share = 0.25, pace_share = 0.7;

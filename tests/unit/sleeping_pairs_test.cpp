@@ -123,6 +123,19 @@ TEST(SleepingPairs, pairs_that_are_awake_are_left_alone) {
   EXPECT_EQ(crowd.sleeping.size(), crowd.pairs.size());
 }
 
+TEST(SleepingPairs, nobody_wakes_where_nothing_moves) {
+  Crowd crowd;
+  crowd.sleep_all();
+  for (int step = 0; step < 1000; ++step) {
+    crowd.clocks.begin_step();
+    for (std::size_t body = 0; body < Crowd::bodies; ++body)
+      crowd.clocks.advance(body, Motion());
+    crowd.sleeping.wake(crowd.clocks, [&](std::size_t place, int, int) {
+      ADD_FAILURE() << "pair " << place << " in step " << step;
+    });
+  }
+}
+
 TEST(SleepingPairs, restart_forgets_all) {
   Crowd crowd;
   crowd.sleep_all();
