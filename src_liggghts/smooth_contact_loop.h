@@ -113,7 +113,7 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
         this->stay_awake(pair);
         continue;
       }
-      if (remembers())
+      if (!this->is_set_up())
         ellipsoid_host::store(-batch_.normal(k), &history[normal_x]);
       this->put_to_sleep(pair, gap, batch_.normal(k));
     }
@@ -196,7 +196,7 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     this->apply_waiting_contacts();
     batch_.solve_open();
     this->law_batch_.take_places(batch_);
-    const bool stores_normals = remembers();
+    const bool stores_normals = !this->is_set_up();
     for (int k = 0; k < batch_.size(); ++k) {
       const PairAtHand pair = waiting_[k];
       auto& contact = this->waiting_contacts_[k];
@@ -232,10 +232,6 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     counts_.values[ContactCounts::not_converged] += counts.not_converged;
   }
 
-  /// When a run is set up forces are evaluated without a step: this leaves no trace, so that a run may be
-  /// set up any number of times.
-  bool remembers() const { return contact_.computeflag && contact_.shearupdate; }
-
   struct PairAtHand {
     int i, j;
     int* flag;
@@ -251,7 +247,7 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     const double share = this->share(pair.j);
     counts.tested += share;
     counts.newton_steps += share * geometry.iterations;
-    if (remembers())
+    if (!this->is_set_up())
       ellipsoid_host::store(-geometry.normal, &pair.history[normal_x]);
     if (geometry.status == ellipsoid::ContactStatus::separated) {
       forget(pair.i, pair.j, *pair.flag, pair.history);
@@ -277,7 +273,7 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
                                                pair.touched && flags_are_set_};
     if (!touching.is_flagged)
       *pair.flag |= CONTACT_SURFACE_MODEL;
-    if (remembers() && !pair.touched)
+    if (!this->is_set_up() && !pair.touched)
       pair.history[was_touching] = 1.0;
     this->add_contact(touching, {geometry.normal, geometry.point, geometry.overlap,
                                  geometry.reduced_radius, geometry.curvature_radius_i,

@@ -57,6 +57,9 @@ class MotionClocks {
     time_.assign(bodies, 0.0);
     steps_ = pace_per_time_ = 0.0;
   }
+  /// Before restart(): the clocks are then as new ones. A run that is set up in the middle goes on like one
+  /// that is read from a restart file.
+  void forget() { steps_ = 0.0; }
   /// What the first motion is compared with: a guess of it, good or bad.
   void expect(std::size_t body, const Motion& motion) {
     displacement_[3 * body] = motion.displacement.x;

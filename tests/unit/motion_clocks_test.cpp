@@ -127,6 +127,12 @@ TEST(MotionClocks, restart_remembers_only_what_is_usual) {
   TwoBodies bodies;
   for (int step = 0; step < 10; ++step)
     bodies.step({{1.0, 0.0, 0.0}, 0.0}, {{step % 2 * 2.0, 0.0, 0.0}, 0.0});
+  TwoBodies others = bodies, fresh;
+  others.clocks.forget();
+  others.clocks.restart(2);
+  EXPECT_EQ(others.deadlines(1.0).i, fresh.deadlines(1.0).i);
+  bodies.clocks.restart(2);
+  EXPECT_GT(bodies.deadlines(1.0).i, fresh.deadlines(1.0).i);
   bodies.clocks.restart(1);
   EXPECT_EQ(bodies.clocks.size(), 1U);
   EXPECT_EQ(bodies.clocks.time(0), 0.0);
