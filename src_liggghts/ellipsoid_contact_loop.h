@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
@@ -137,10 +138,11 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
 
   /// A pair and its place in the neighbour lists.
   struct ListPair {
-    std::size_t place;
+    std::uint32_t place;
     int i, j;
   };
   std::vector<ListPair> woken_;
+  static constexpr std::size_t looked_at_together = 4096; // or a few more
 
   struct AwakePair : ListPair {
     bool touched; ///< in the last step
@@ -216,7 +218,7 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
   }
 
   void treat_all_pairs() {
-    std::size_t place = 0;
+    std::uint32_t place = 0;
     for_each_pair([this, &place](int i, int j) {
       const AwakePair pair = awake({place++, i, j});
       if (treat(pair))
@@ -243,13 +245,21 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
   void wake_pairs() {
     Surface& surface = static_cast<Surface&>(*this);
     woken_.clear();
-    sleeping_.wake(surface.clocks(), [this](std::size_t place, int i, int j) {
+    const auto look = [this, &surface] {
+      surface.look_at_woken(woken_);
+      woken_.clear();
+    };
+    const auto note = [this](std::size_t place, int i, int j) {
       ListPair& pair = woken_.emplace_back(); // number by number: see contact_batch.h
-      pair.place = place;
+      pair.place = static_cast<std::uint32_t>(place);
       pair.i = i;
       pair.j = j;
+    };
+    sleeping_.wake(surface.clocks(), note, [this, &look] {
+      if (woken_.size() >= looked_at_together)
+        look();
     });
-    surface.look_at_woken(woken_);
+    look();
   }
 
   void stay_awake(const ListPair& pair) { awake_.push_back(awake(pair)); }

@@ -55,8 +55,7 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
 
   /// Most pairs that do not touch need no search.
   void treat_new_lists() {
-    constexpr std::size_t together = 4096;
-    std::size_t place = 0;
+    std::uint32_t place = 0;
     this->woken_.clear();
     this->for_each_pair([this, &place](int i, int j) {
       const typename Base::ListPair pair{place++, i, j};
@@ -65,7 +64,7 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
         return;
       }
       this->woken_.push_back(pair);
-      if (this->woken_.size() == together) {
+      if (this->woken_.size() == this->looked_at_together) {
         look_at_woken(this->woken_);
         this->woken_.clear();
       }

@@ -38,14 +38,20 @@ class SleepingPairs {
   /// @param[in] gap > 0, @param[in] approach in a step, see MotionClocks (length)
   void sleep(std::size_t place, int i, double gap, double approach, MotionClocks& clocks);
 
-  /// Wakes the pairs that are due: on_due(place, i, j) for each.
-  template <class OnDue> void wake(const MotionClocks& clocks, const OnDue& on_due) {
+  /// Wakes the pairs that are due: on_due(place, i, j) for each; after_some() now and then, where pairs may
+  /// be sent to sleep again.
+  template <class OnDue, class AfterSome>
+  void wake(const MotionClocks& clocks, const OnDue& on_due, const AfterSome& after_some) {
     int due[block];
     for (std::size_t first = 0; first < looks_at_.size(); first += block) {
       const int count = find_due(first, clocks, due);
       for (int k = 0; k < count; ++k)
         look(due[k], clocks.time(due[k]), on_due);
+      after_some();
     }
+  }
+  template <class OnDue> void wake(const MotionClocks& clocks, const OnDue& on_due) {
+    wake(clocks, on_due, [] {});
   }
 
  private:
