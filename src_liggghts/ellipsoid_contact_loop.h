@@ -420,7 +420,7 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
 
   /// In the order in which they came; those without history are none.
   __attribute__((noinline)) void apply_waiting_contacts() {
-    const bool advances_springs = contact_.computeflag && contact_.shearupdate;
+    const bool advances_springs = !is_set_up();
     law_batch_.solve({update->dt, advances_springs, no_attraction_});
     for (int k = 0; k < law_batch_.size(); ++k) {
       const WaitingContact& waiting = waiting_contacts_[k];

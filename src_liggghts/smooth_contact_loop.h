@@ -195,22 +195,14 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     this->apply_waiting_contacts();
     batch_.solve_open();
     this->law_batch_.take_places(batch_);
-    const bool stores_normals = !this->is_set_up();
     for (int k = 0; k < batch_.size(); ++k) {
       const PairAtHand pair = waiting_[k];
       auto& contact = this->waiting_contacts_[k];
-      const double share = this->share(pair.j);
-      counts.tested += share;
-      counts.newton_steps += share * batch_.steps(k);
-      if (stores_normals)
-        ellipsoid_host::store(-batch_.normal(k), &pair.history[normal_x]);
-      if (batch_.is_apart(k)) {
-        forget(pair.i, pair.j, *pair.flag, pair.history);
+      if (!touches(pair, {batch_.normal(k), batch_.steps(k), batch_.is_apart(k), batch_.has_converged(k)},
+                   counts)) {
         contact.history = nullptr;
         continue;
       }
-      counts.touching += share;
-      counts.not_converged += batch_.has_converged(k) ? 0.0 : share;
       if (!flags_are_set_) {
         *pair.flag |= CONTACT_SURFACE_MODEL;
         this->flag_for_law(*pair.flag);
@@ -231,6 +223,13 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     counts_.values[ContactCounts::not_converged] += counts.not_converged;
   }
 
+  /// What a search says of a pair, besides the place of the contact.
+  struct Finding {
+    ellipsoid::Vector3 normal;
+    double steps;
+    bool apart, converged;
+  };
+
   struct PairAtHand {
     int i, j;
     int* flag;
@@ -241,20 +240,31 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
   ellipsoid::ContactBatch batch_;
   PairAtHand waiting_[ellipsoid::ContactBatch::capacity];
 
-  void treat_result(const PairAtHand& pair, const ellipsoid::ContactGeometry& geometry,
-                    Counts& counts) {
+  /// Counts the pair, remembers its normal, forgets the contact where there is none.
+  __attribute__((always_inline)) bool touches(const PairAtHand& pair, const Finding& finding,
+                                              Counts& counts) {
     const double share = this->share(pair.j);
     counts.tested += share;
-    counts.newton_steps += share * geometry.iterations;
+    counts.newton_steps += share * finding.steps;
     if (!this->is_set_up())
-      ellipsoid_host::store(-geometry.normal, &pair.history[normal_x]);
-    if (geometry.status == ellipsoid::ContactStatus::separated) {
+      ellipsoid_host::store(-finding.normal, &pair.history[normal_x]);
+    if (finding.apart) {
       forget(pair.i, pair.j, *pair.flag, pair.history);
-      return;
+      return false;
     }
     counts.touching += share;
-    if (geometry.status == ellipsoid::ContactStatus::not_converged)
-      counts.not_converged += share;
+    counts.not_converged += finding.converged ? 0.0 : share;
+    return true;
+  }
+
+  void treat_result(const PairAtHand& pair, const ellipsoid::ContactGeometry& geometry,
+                    Counts& counts) {
+    using Status = ellipsoid::ContactStatus;
+    if (!touches(pair, {geometry.normal, static_cast<double>(geometry.iterations),
+                        geometry.status == Status::separated,
+                        geometry.status != Status::not_converged},
+                 counts))
+      return;
     treat_contact(pair, geometry);
   }
 

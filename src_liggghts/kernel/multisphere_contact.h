@@ -257,7 +257,8 @@ int for_each_near_pair(const ChainPose& i, const ChainPose& j, const Vector3& ce
   if (i.chain->count() * j.chain->count() <= direct_search_limit) {
     for (int k = 0; k < i.chain->count(); ++k)
       for (int l = 0; l < j.chain->count(); ++l) {
-        const Vector3 distance = sphere_distance(i, j, centre_distance, i.chain->centre(k), j.chain->centre(l));
+        const Vector3 distance =
+            sphere_distance(i, j, centre_distance, i.chain->centre(k), j.chain->centre(l));
         visit(k, l, i.scale * i.chain->radius(k) + j.scale * j.chain->radius(l) - norm(distance));
       }
     return i.chain->count() * j.chain->count();
