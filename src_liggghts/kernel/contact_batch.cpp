@@ -1,8 +1,11 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "contact_batch.h"
 
+#include "batch_columns.h"
 #include "ellipsoid_overlap.h"
 #include "vector_versions.h"
+
+#include <limits>
 
 namespace ellipsoid {
 
@@ -10,176 +13,196 @@ namespace {
 
 using Columns = ContactBatch::Columns;
 
-/// Pairs that go through the Newton steps together: a few vectors.
-constexpr int block = 16;
-static_assert(ContactBatch::capacity % block == 0, "whole blocks");
-
 /// Newton steps before a pair is left to the search of single pairs.
 constexpr int step_limit = 4;
 
-/// Where the search of the pairs of a block stands.
-struct Block {
-  enum Value { shift_x, shift_y, shift_z, slope, phi, ix, iy, iz, jx, jy, jz, inverse_i, inverse_j,
+/// Where the search of the pairs stands, from one loop to the next (see batch_columns.h).
+struct Work {
+  enum Value { ix, iy, iz, jx, jy, jz, inverse_i, inverse_j, phi, shift_x, shift_y, shift_z,
+               radii, // 6
+               trace = radii + 6, inverse_determinant,
+               largest_overlap, ///< up to which the pair is solved
                value_count };
-  alignas(64) double of[value_count][block];
+  alignas(64) double of[value_count][ContactBatch::column_length];
 };
 
-/// Numbers of one pair of the batch; `m` is its place in the block that begins with pair `begin`.
-struct PairColumns {
+/// One pair, from the normal in `from` at `normal_column`.
+template <class Place, class Normals> struct PairSearch {
+  using C = Columns;
+  using Vector = typename Place::Vector;
+  using Matrix = typename Place::Matrix;
   Columns& c;
-  Block& b;
-  int k, m;
+  Work& w;
+  const Normals& normals;
+  int normal_column;
+  Place at;
 
-  SymmetricMatrix3 matrix(int column) const {
-    return {c.in[column][k],     c.in[column + 1][k], c.in[column + 2][k],
-            c.in[column + 3][k], c.in[column + 4][k], c.in[column + 5][k]};
+  Matrix a_i() const { return at.matrix(c.in, C::axx_i); }
+  Matrix a_j() const { return at.matrix(c.in, C::axx_j); }
+  Vector distance() const { return at.vector(c.in, C::dx); }
+  Vector normal() const { return at.vector(normals, normal_column); }
+  OverlapFunction<Vector> overlap_function() const {
+    OverlapFunction<Vector> f;
+    f.normal = normal();
+    f.support_point_i = at.vector(w.of, Work::ix);
+    f.support_point_j = at.vector(w.of, Work::jx);
+    f.inverse_support_i = w.of[Work::inverse_i][at.k];
+    f.inverse_support_j = w.of[Work::inverse_j][at.k];
+    f.value = w.of[Work::phi][at.k];
+    f.gradient = f.support_point_i + f.support_point_j - distance();
+    return f;
   }
-  Vector3 distance() const {
-    return {c.in[Columns::dx][k], c.in[Columns::dy][k], c.in[Columns::dz][k]};
+  void put(const OverlapFunction<Vector>& f) const {
+    at.put(w.of, Work::ix, f.support_point_i);
+    at.put(w.of, Work::jx, f.support_point_j);
+    w.of[Work::inverse_i][at.k] = f.inverse_support_i;
+    w.of[Work::inverse_j][at.k] = f.inverse_support_j;
+    w.of[Work::phi][at.k] = f.value;
   }
-  Vector3 normal() const {
-    return {c.out[Columns::nx][k], c.out[Columns::ny][k], c.out[Columns::nz][k]};
+
+  void evaluate() const { put(OverlapFunction(a_i(), a_j(), distance(), normal())); }
+
+  /// Newton's step, and whether one step of third order is enough.
+  void step() const {
+    const OverlapFunction f = overlap_function();
+    const OverlapHessian h(curvature_radii_sum(a_i(), a_j(), f), f.value);
+    const bool apart_here = f.value < 0.0; // this normal is the proof
+    const Vector shift = h.newton_shift(f);
+    at.put(w.of, Work::shift_x, (apart_here ? 0.0 : 1.0) * shift);
+    at.put(w.of, Work::radii, h.radii);
+    w.of[Work::trace][at.k] = h.trace;
+    w.of[Work::inverse_determinant][at.k] = h.inverse_determinant;
+
+    // squares: of the error of Newton's step over the step, and of that of the corrected step
+    const double squared = dot(shift, shift);
+    const double rate = h.trace * h.trace * h.inverse_determinant * f.radius_change_rate();
+    const double share = rate * rate * squared;
+    const double error = tolerance::third_order * tolerance::third_order * share * share * squared;
+    // bitwise &: no branches
+    const bool convex =
+        (h.determinant > tolerance::convexity * h.trace * h.trace) & (h.trace > 0.0);
+    const bool exact = (share <= 1.0) & (error <= tolerance::batch_normal_error *
+                                                      tolerance::batch_normal_error);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double where_exact = convex ? c.in[C::safe_overlap][at.k] : below_zero;
+    w.of[Work::largest_overlap][at.k] =
+        apart_here ? infinity : exact ? where_exact : -infinity;
   }
-  Vector3 block_vector(int value) const {
-    return {b.of[value][m], b.of[value + 1][m], b.of[value + 2][m]};
+
+  void extrapolate() const {
+    const OverlapFunction f = overlap_function();
+    OverlapHessian<Matrix> h;
+    h.radii = at.matrix(w.of, Work::radii);
+    h.phi = f.value;
+    h.trace = w.of[Work::trace][at.k];
+    h.inverse_determinant = w.of[Work::inverse_determinant][at.k];
+    const Vector shift = at.vector(w.of, Work::shift_x);
+    const OverlapFunction g = extrapolated(a_i(), a_j(), distance(), f, h, shift);
+    put(g);
+    at.put(w.of, Work::shift_x, chosen(g.value <= w.of[Work::largest_overlap][at.k], g.normal,
+                                       f.normal + shift));
   }
-  bool open() const { return c.out[Columns::open][k] != 0.0; }
-  void put(int column, double value) const { c.out[column][k] = value; }
-  /// Leaves solved pairs as they are.
-  void put_block(int value, double number) const {
-    b.of[value][m] = open() ? number : b.of[value][m];
+
+  /// The contact of a pair that is solved; for the others a direction to go on from.
+  template <bool is_first> void finish() const {
+    OverlapFunction<Vector> g = overlap_function();
+    const double r_i = c.in[C::product_i][at.k] * g.inverse_support_i * g.inverse_support_i;
+    const double r_j = c.in[C::product_j][at.k] * g.inverse_support_j * g.inverse_support_j;
+    const double det_sum = tangent_determinant(curvature_radii_sum(a_i(), a_j(), g));
+    const bool open = is_first ? true : c.out[C::open][at.k] != 0.0;
+    const bool solved = g.value <= w.of[Work::largest_overlap][at.k];
+    const auto result = [&](int column, double value) {
+      c.out[column][at.k] = open ? value : c.out[column][at.k];
+    };
+    const auto result_vector = [&](int column, const Vector& v) {
+      at.put(c.out, column, is_first ? v : chosen(open, v, at.vector(c.out, column)));
+    };
+    result_vector(C::nx, at.vector(w.of, Work::shift_x));
+    result_vector(C::px, 0.5 * (g.support_point_i + distance() - g.support_point_j));
+    result(C::overlap, g.value);
+    result(C::reduced_radius, r_i * r_j / std::sqrt(det_sum));
+    result(C::radius_i, r_i);
+    result(C::radius_j, r_j);
+    c.out[C::steps][at.k] = is_first ? 1.0 : c.out[C::steps][at.k] + (open ? 1.0 : 0.0);
+    c.out[C::open][at.k] = open & !solved ? 1.0 : 0.0;
   }
-  void put_block(int value, const Vector3& v) const {
-    put_block(value, v.x);
-    put_block(value + 1, v.y);
-    put_block(value + 2, v.z);
-  }
+
+ private:
+  static constexpr double below_zero = -std::numeric_limits<double>::denorm_min();
 };
 
-/// One evaluation of phi at the pair's normal: the shift to the next one, and whether the pair is
-/// solved with it.
-inline void newton_step(const PairColumns& p) {
-  using C = Columns;
-  const SymmetricMatrix3 a_i = p.matrix(C::axx_i), a_j = p.matrix(C::axx_j);
-  const OverlapFunction f(a_i, a_j, p.distance(), p.normal());
-  const OverlapHessian h(curvature_radii_sum(a_i, a_j, f), f.value);
-  const double inverse = 1.0 / h.determinant;
-  const Vector3 shift = h.newton_shift(f, inverse);
-  const double slope = dot(f.gradient, shift), squared = dot(shift, shift);
-  const double error = h.trace * h.trace * inverse * f.radius_change_rate() * squared;
-
-  // bitwise &, |: no branches
-  const bool convex =
-      (h.determinant > tolerance::convexity * h.trace * h.trace) & (h.trace > 0.0);
-  const bool exact =
-      (error <= tolerance::batch_normal_error) &
-      (squared <= tolerance::batch_extrapolated_step * tolerance::batch_extrapolated_step);
-  const double next_value = f.value + 0.5 * slope;
-  const bool apart_here = f.value < 0.0;
-  const bool solved = (convex & exact & (next_value <= p.c.in[C::safe_overlap][p.k])) |
-                      (exact & (next_value < 0.0)) | apart_here;
-
-  const double share = apart_here ? 0.0 : 1.0; // this normal is the proof
-  p.put_block(Block::shift_x, share * shift);
-  p.put_block(Block::slope, share * slope);
-  p.put_block(Block::phi, f.value);
-  p.put_block(Block::ix, f.support_point_i);
-  p.put_block(Block::jx, f.support_point_j);
-  p.put_block(Block::inverse_i, f.inverse_support_i);
-  p.put_block(Block::inverse_j, f.inverse_support_j);
-  p.put(C::steps, p.c.out[C::steps][p.k] + (p.open() ? 1.0 : 0.0));
-  p.put(C::open, p.open() & !solved ? 1.0 : 0.0);
+/// From the normals in rows `normal_column` and the two after it of `normals`.
+template <class Place, bool is_first, class Normals>
+inline void search_from(const Normals& normals, int normal_column, Columns& c, Work& w, int begin,
+                        int end) {
+  const auto pair = [&](int k) {
+    return PairSearch<Place, Normals>{c, w, normals, normal_column, {k}};
+  };
+  for_items(begin, end, [&](int k) { pair(k).evaluate(); });
+  for_items(begin, end, [&](int k) { pair(k).step(); });
+  for_items(begin, end, [&](int k) { pair(k).extrapolate(); });
+  for_items(begin, end, [&](int k) { pair(k).template finish<is_first>(); });
 }
 
-/// To the next normal of a pair that is not solved.
-inline void turn_normal(const PairColumns& p) {
-  using C = Columns;
-  const Vector3 normal = p.normal(), next = normalized(normal + p.block_vector(Block::shift_x));
-  p.put(C::nx, p.open() ? next.x : normal.x);
-  p.put(C::ny, p.open() ? next.y : normal.y);
-  p.put(C::nz, p.open() ? next.z : normal.z);
+/// Makes normals of the directions of pairs that are not solved.
+template <class Place> inline void turn_normals(Columns& c, int begin) {
+  for_items(begin, begin + loop_width, [&c](int k) {
+    const Place at{k};
+    const auto direction = at.vector(c.out, Columns::nx);
+    at.put(c.out, Columns::nx,
+           chosen(c.out[Columns::open][k] != 0.0, normalized(direction), direction));
+  });
 }
 
-/// The contact of a solved pair, at the end of its last shift.
-inline void finish_pair(const PairColumns& p) {
+template <class Place> inline void search_pairs(Columns& c, int size) {
   using C = Columns;
-  const SymmetricMatrix3 a_i = p.matrix(C::axx_i), a_j = p.matrix(C::axx_j);
-  OverlapFunction f;
-  f.normal = p.normal();
-  f.support_point_i = p.block_vector(Block::ix);
-  f.support_point_j = p.block_vector(Block::jx);
-  f.inverse_support_i = p.b.of[Block::inverse_i][p.m];
-  f.inverse_support_j = p.b.of[Block::inverse_j][p.m];
-  f.value = p.b.of[Block::phi][p.m];
-  const OverlapFunction g = extrapolated(a_i, a_j, f, p.block_vector(Block::shift_x),
-                                         p.b.of[Block::slope][p.m]);
-  const double det_sum = tangent_determinant(curvature_radii_sum(a_i, a_j, g));
-  const Vector3 point = 0.5 * (g.support_point_i + p.distance() - g.support_point_j);
-  const double r_i = p.c.in[C::product_i][p.k] * g.inverse_support_i * g.inverse_support_i;
-  const double r_j = p.c.in[C::product_j][p.k] * g.inverse_support_j * g.inverse_support_j;
-  p.put(C::nx, g.normal.x);
-  p.put(C::ny, g.normal.y);
-  p.put(C::nz, g.normal.z);
-  p.put(C::px, point.x);
-  p.put(C::py, point.y);
-  p.put(C::pz, point.z);
-  p.put(C::overlap, g.value);
-  p.put(C::reduced_radius, r_i * r_j / std::sqrt(det_sum));
-  p.put(C::radius_i, r_i);
-  p.put(C::radius_j, r_j);
+  Work w;
+  search_from<Place, true>(c.in, C::start_x, c, w, 0, size);
+  for (int begin = 0; begin < size; begin += loop_width)
+    for (int step = 1; step < step_limit && any(c.out[C::open] + begin, loop_width); ++step) {
+      turn_normals<Place>(c, begin);
+      search_from<Place, false>(c.out, C::nx, c, w, begin, begin + loop_width);
+    }
 }
 
-inline void solve_block(Columns& c, int begin) {
-  Block b;
-  for (int step = 0;; ++step) {
-#pragma GCC ivdep
-    for (int m = 0; m < block; ++m)
-      newton_step({c, b, begin + m, m});
-    int open = 0;
-    for (int k = begin; k < begin + block; ++k)
-      open |= static_cast<int>(c.out[Columns::open][k] != 0.0);
-    if (open == 0 || step + 1 == step_limit)
-      break;
-#pragma GCC ivdep
-    for (int m = 0; m < block; ++m)
-      turn_normal({c, b, begin + m, m});
-  }
-#pragma GCC ivdep
-  for (int m = 0; m < block; ++m)
-    finish_pair({c, b, begin + m, m});
+inline bool in_plane(const Columns& c, int size) {
+  using C = Columns;
+  return all_zero(c.in, {C::axz_i, C::ayz_i, C::axz_j, C::ayz_j, C::dz, C::start_z}, size);
 }
 
 inline void search_loop(Columns& c, int size) {
-  for (int begin = 0; begin < size; begin += block)
-    solve_block(c, begin);
+  if (in_plane(c, size))
+    search_pairs<InPlane>(c, size);
+  else
+    search_pairs<InSpace>(c, size);
 }
 
 ELLIPSOID_VECTOR_VERSIONS(search, Columns)
 
 /// The better one of two proofs: the normal as it is, and after one Newton step.
-inline void separate(const PairColumns& p) {
+template <class Place> inline void separate(Columns& c, const Place& at) {
   using C = Columns;
-  const SymmetricMatrix3 a_i = p.matrix(C::axx_i), a_j = p.matrix(C::axx_j);
-  const Vector3 distance = p.distance(), normal = p.normal();
+  const auto a_i = at.matrix(c.in, C::axx_i), a_j = at.matrix(c.in, C::axx_j);
+  const auto distance = at.vector(c.in, C::dx), normal = at.vector(c.in, C::start_x);
   const OverlapFunction f(a_i, a_j, distance, normal);
   const OverlapHessian h(curvature_radii_sum(a_i, a_j, f), f.value);
-  const Vector3 next = normalized(normal + h.newton_shift(f, 1.0 / h.determinant));
+  const auto next = normalized(normal + h.newton_shift(f));
   const double value = std::sqrt(dot(next, a_i * next)) + std::sqrt(dot(next, a_j * next)) -
                        dot(next, distance);
   const bool better = value < f.value;
-  p.put(C::nx, better ? next.x : normal.x);
-  p.put(C::ny, better ? next.y : normal.y);
-  p.put(C::nz, better ? next.z : normal.z);
-  p.put(C::overlap, better ? value : f.value);
+  at.put(c.out, C::nx, chosen(better, next, normal));
+  c.out[C::overlap][at.k] = better ? value : f.value;
+}
+
+template <class Place> inline void separate_pairs(Columns& c, int size) {
+  for_items(0, size, [&c](int k) { separate(c, Place{k}); });
 }
 
 inline void separate_all_loop(Columns& c, int size) {
-  for (int begin = 0; begin < size; begin += block) {
-    Block unused;
-#pragma GCC ivdep
-    for (int m = 0; m < block; ++m)
-      separate({c, unused, begin + m, m});
-  }
+  if (in_plane(c, size))
+    separate_pairs<InPlane>(c, size);
+  else
+    separate_pairs<InSpace>(c, size);
 }
 
 ELLIPSOID_VECTOR_VERSIONS(separate_all, Columns)
@@ -187,8 +210,7 @@ ELLIPSOID_VECTOR_VERSIONS(separate_all, Columns)
 } // namespace
 
 void ContactBatch::fill_last_block() {
-  filled_up(columns_.in, size(), block);
-  filled_up(columns_.out, size(), block);
+  filled_up(columns_.in, size(), loop_width);
 }
 
 void ContactBatch::solve() {

@@ -101,11 +101,6 @@ inline void ContactBatch::add(const EllipsoidShape& i, const EllipsoidShape& j,
   put(C::product_j, j.axes_product);
   put(C::safe_overlap, i.smallest_curvature_radius + j.smallest_curvature_radius);
   put_vector(C::start_x, start);
-  columns_.out[C::nx][k] = start.x;
-  columns_.out[C::ny][k] = start.y;
-  columns_.out[C::nz][k] = start.z;
-  columns_.out[C::steps][k] = 0.0;
-  columns_.out[C::open][k] = 1.0;
   shape_i_[k] = &i;
   shape_j_[k] = &j;
 }

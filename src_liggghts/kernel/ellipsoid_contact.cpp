@@ -49,7 +49,7 @@ struct TangentStep {
 };
 
 /// Shift that makes the Hessian safely positive definite, 0 where it already is.
-double convexity_shift(const OverlapHessian& h) {
+double convexity_shift(const OverlapHessian<SymmetricMatrix3>& h) {
   const double mean = 0.5 * h.trace;
   const double radius = std::sqrt(std::max(0.0, mean * mean - h.determinant));
   const double smallest = mean - radius, scale = std::fabs(mean) + radius;
@@ -59,28 +59,27 @@ double convexity_shift(const OverlapHessian& h) {
 }
 
 /// Newton step of phi on the sphere; a shifted (still descending) one where phi is not convex.
-TangentStep newton_step(const OverlapFunction& f, const SymmetricMatrix3& radii) {
+TangentStep newton_step(const OverlapFunction<Vector3>& f, const SymmetricMatrix3& radii) {
   const double shift = convexity_shift(OverlapHessian(radii, f.value));
   const OverlapHessian h(radii, f.value - shift);
-  const double inverse = 1.0 / h.determinant;
   TangentStep step;
-  step.shift = h.newton_shift(f, inverse);
+  step.shift = h.newton_shift(f);
   step.length = norm(step.shift);
   step.newton = shift == 0.0 && step.length <= tolerance::largest_step;
   if (step.length > tolerance::largest_step) {
     step.shift *= tolerance::largest_step / step.length;
     step.length = tolerance::largest_step;
   }
-  step.slope = dot(f.gradient, step.shift);
+  step.slope = dot(f.tangential_gradient(), step.shift);
   step.predicted_error =
-      h.trace * h.trace * inverse * f.radius_change_rate() * step.length * step.length;
+      h.trace * h.trace * h.inverse_determinant * f.radius_change_rate() * step.length * step.length;
   return step;
 }
 
 /// Walks along the step, halving it until phi falls enough. Returns false at a dead end
 /// (then rounding hides any decrease: f is as good as it gets).
 bool line_search(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& centre_distance,
-                 const TangentStep& step, OverlapFunction& f) {
+                 const TangentStep& step, OverlapFunction<Vector3>& f) {
   double share = 1.0;
   for (int halving = 0; halving < tolerance::halving_limit; ++halving, share *= 0.5) {
     const Vector3 n = normalized(f.normal + share * step.shift);
@@ -96,7 +95,7 @@ bool line_search(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3
 
 /// @param[in] det_sum det(W_i + W_j) at the contact (length^2)
 ContactGeometry assemble(const EllipsoidShape& i, const EllipsoidShape& j,
-                         const Vector3& centre_distance, const OverlapFunction& f, double det_sum,
+                         const Vector3& centre_distance, const OverlapFunction<Vector3>& f, double det_sum,
                          ContactStatus status, int iterations) {
   ContactGeometry c;
   c.status = status;
@@ -116,7 +115,7 @@ ContactGeometry assemble(const EllipsoidShape& i, const EllipsoidShape& j,
 ContactGeometry descend(const Vector3& start, const EllipsoidShape& i, const EllipsoidShape& j,
                         const Vector3& centre_distance, const SearchOptions& options) {
   OverlapFunction f(i.a_matrix, j.a_matrix, centre_distance, start);
-  const auto finish = [&](const OverlapFunction& at, ContactStatus otherwise, int iterations) {
+  const auto finish = [&](const OverlapFunction<Vector3>& at, ContactStatus otherwise, int iterations) {
     return assemble(i, j, centre_distance, at,
                     tangent_determinant(curvature_radii_sum(i.a_matrix, j.a_matrix, at)),
                     at.value < 0.0 ? ContactStatus::separated : otherwise, iterations);
@@ -124,10 +123,12 @@ ContactGeometry descend(const Vector3& start, const EllipsoidShape& i, const Ell
   for (int iteration = 0; iteration < options.newton_limit; ++iteration) {
     if (options.goal == SearchGoal::contact && f.value < 0.0)
       return finish(f, ContactStatus::separated, iteration);
-    const TangentStep step = newton_step(f, curvature_radii_sum(i.a_matrix, j.a_matrix, f));
+    const SymmetricMatrix3 radii = curvature_radii_sum(i.a_matrix, j.a_matrix, f);
+    const TangentStep step = newton_step(f, radii);
     const bool last = step.newton && step.predicted_error <= tolerance::normal_error;
     if (last && step.length <= tolerance::extrapolated_step)
-      return finish(extrapolated(i.a_matrix, j.a_matrix, f, step.shift, step.slope),
+      return finish(extrapolated(i.a_matrix, j.a_matrix, centre_distance, f,
+                                 OverlapHessian(radii, f.value), step.shift),
                     ContactStatus::touching, iteration + 1);
     const bool moved = line_search(i, j, centre_distance, step, f);
     if (last || !moved)

@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "law_batch.h"
 
+#include "batch_columns.h"
 #include "vector_versions.h"
 
 #include <limits>
@@ -12,86 +13,97 @@ namespace {
 using Columns = ContactLawBatch::Columns;
 using C = Columns;
 
-inline Vector3 vector_in(const Columns& c, int first, int k) {
-  return {c.in[first][k], c.in[first + 1][k], c.in[first + 2][k]};
+/// What the loops over the contacts hand on (see batch_columns.h).
+struct Work {
+  enum Value { slip_x, slip_y, slip_z, root, mass, value_count };
+  alignas(64) double of[value_count][ContactLawBatch::column_length];
+};
+
+/// One contact.
+template <class Place> struct ContactAtHand {
+  using Vector = typename Place::Vector;
+  Columns& c;
+  Work& w;
+  Place at;
+
+  double in(int column) const { return c.in[column][at.k]; }
+  Vector vector_in(int column) const { return at.vector(c.in, column); }
+
+  /// Normal force and tangential velocity.
+  void press() const {
+    const Vector normal = vector_in(C::nx);
+    const Vector velocity =
+        vector_in(C::vx) + (cross(at.axial_vector(c.in, C::wix), vector_in(C::lix)) -
+                            cross(at.axial_vector(c.in, C::wjx), vector_in(C::ljx)));
+    const double normal_velocity = dot(velocity, normal);
+    at.put(w.of, Work::slip_x, velocity - normal_velocity * normal);
+
+    const double overlap = in(C::overlap), root = std::sqrt(in(C::radius) * overlap);
+    const double elastic = normal_stiffness(in(C::modulus), root) * overlap;
+    const double mass = PairMasses{in(C::mass_i), in(C::mass_j)}.effective();
+    const double pressing = elastic - in(C::normal_damping) * mass * normal_velocity; // eq. 23
+    const double smallest =
+        c.pass.no_attraction ? 0.0 : -std::numeric_limits<double>::infinity();
+    c.out[C::normal_force][at.k] = pressing < smallest ? smallest : pressing;
+    w.of[Work::root][at.k] = root;
+    w.of[Work::mass][at.k] = mass;
+  }
+
+  /// advance_spring() without branches: both sides of each are computed, one is taken.
+  void advance_spring() const {
+    const Vector spring = vector_in(C::sx), normal = vector_in(C::nx);
+    const Vector in_plane = spring - dot(spring, normal) * normal;
+    const double squared_length = dot(spring, spring), remaining = dot(in_plane, in_plane);
+    const double stretch = std::sqrt(squared_length / (remaining > 0.0 ? remaining : 1.0));
+    at.put(c.out, C::new_sx,
+           (remaining > 0.0 ? stretch : 1.0) * in_plane +
+               c.pass.time_step * at.vector(w.of, Work::slip_x)); // eq. 18
+  }
+  void keep_spring() const { at.put(c.out, C::new_sx, vector_in(C::sx)); }
+
+  /// tangential_force() along the displacement, without branches, and what the contact does.
+  void rub() const {
+    const double normal_force = c.out[C::normal_force][at.k];
+    const double limit = in(C::friction) * std::fabs(normal_force);
+    const double stiffness = tangential_stiffness(in(C::shear_modulus), w.of[Work::root][at.k]);
+    const double damping = in(C::tangential_damping) * w.of[Work::mass][at.k];
+    const Vector spring = at.vector(c.out, C::new_sx);
+    const Vector viscous = damping * at.vector(w.of, Work::slip_x);
+    const Vector trial = -stiffness * spring - viscous;
+    const double magnitude = norm(trial);
+    const bool slips = magnitude > limit;
+    const Vector friction = (slips ? limit / magnitude : 1.0) * trial; // eq. 24
+    at.put(c.out, C::new_sx, chosen(slips & (stiffness > 0.0),
+                                    (-1.0 / stiffness) * (friction + viscous), spring));
+
+    const Vector force = normal_force * vector_in(C::nx) + friction;
+    at.put(c.out, C::fx, force);
+    at.put(c.out, C::tix, cross(vector_in(C::lix), force));
+    at.put(c.out, C::tjx, cross(force, vector_in(C::ljx)));
+  }
+};
+
+template <class Place> inline void apply_laws(Columns& c, int size) {
+  Work w;
+  const auto contact = [&c, &w](int k) { return ContactAtHand<Place>{c, w, {k}}; };
+  for_items(0, size, [&](int k) { contact(k).press(); });
+  if (c.pass.advances_springs)
+    for_items(0, size, [&](int k) { contact(k).advance_spring(); });
+  else
+    for_items(0, size, [&](int k) { contact(k).keep_spring(); });
+  for_items(0, size, [&](int k) { contact(k).rub(); });
 }
 
-inline void put(Columns& c, int first, int k, const Vector3& v) {
-  c.out[first][k] = v.x;
-  c.out[first + 1][k] = v.y;
-  c.out[first + 2][k] = v.z;
-}
-
-/// advance_spring() without branches: both sides of each are computed, one is taken.
-inline Vector3 advanced_spring(const Vector3& spring, const Vector3& slip_velocity,
-                               double time_step, const Vector3& normal) {
-  const Vector3 in_plane = spring - dot(spring, normal) * normal;
-  const double squared_length = dot(spring, spring), remaining = dot(in_plane, in_plane);
-  const double stretch = std::sqrt(squared_length / (remaining > 0.0 ? remaining : 1.0));
-  return (remaining > 0.0 ? stretch : 1.0) * in_plane + time_step * slip_velocity; // eq. 18
-}
-
-/// tangential_force() along the displacement, without branches.
-inline Vector3 limited_friction(const TangentialContact& c, Vector3& spring) {
-  const Vector3 viscous = c.damping * c.relative_velocity;
-  const Vector3 trial = -c.stiffness * spring - viscous;
-  const double magnitude = norm(trial);
-  const bool slips = magnitude > c.friction_limit;
-  const Vector3 force = (slips ? c.friction_limit / magnitude : 1.0) * trial; // eq. 24
-  const Vector3 shortened = (-1.0 / c.stiffness) * (force + viscous);
-  const bool shortens = slips & (c.stiffness > 0.0);
-  spring = {shortens ? shortened.x : spring.x, shortens ? shortened.y : spring.y,
-            shortens ? shortened.z : spring.z};
-  return force;
-}
-
-template <bool advances_springs>
-inline void apply_law(Columns& c, int k, double time_step, double smallest_normal_force) {
-  const auto in = [&c, k](int column) { return c.in[column][k]; };
-  const Vector3 normal = vector_in(c, C::nx, k);
-  const Vector3 lever_i = vector_in(c, C::lix, k), lever_j = vector_in(c, C::ljx, k);
-  const Vector3 velocity = vector_in(c, C::vx, k) + (cross(vector_in(c, C::wix, k), lever_i) -
-                                                     cross(vector_in(c, C::wjx, k), lever_j));
-  const double normal_velocity = dot(velocity, normal);
-  const Vector3 slip_velocity = velocity - normal_velocity * normal;
-
-  const double overlap = in(C::overlap), root = std::sqrt(in(C::radius) * overlap);
-  const double elastic = normal_stiffness(in(C::modulus), root) * overlap;
-  const double mass = PairMasses{in(C::mass_i), in(C::mass_j)}.effective();
-  const double pressing = elastic - in(C::normal_damping) * mass * normal_velocity; // eq. 23
-  const double normal_force =
-      pressing < smallest_normal_force ? smallest_normal_force : pressing;
-
-  Vector3 spring = vector_in(c, C::sx, k);
-  if (advances_springs)
-    spring = advanced_spring(spring, slip_velocity, time_step, normal);
-  const Vector3 friction = limited_friction(
-      {tangential_stiffness(in(C::shear_modulus), root), in(C::tangential_damping) * mass,
-       in(C::friction) * std::fabs(normal_force), slip_velocity},
-      spring);
-
-  const Vector3 force = normal_force * normal + friction;
-  put(c, C::fx, k, force);
-  put(c, C::tix, k, cross(lever_i, force));
-  put(c, C::tjx, k, cross(force, lever_j));
-  c.out[C::normal_force][k] = normal_force;
-  put(c, C::new_sx, k, spring);
-}
-
-template <bool advances_springs> inline void apply_laws(Columns& c, int size) {
-  const double time_step = c.pass.time_step;
-  const double smallest_normal_force =
-      c.pass.no_attraction ? 0.0 : -std::numeric_limits<double>::infinity();
-#pragma GCC ivdep
-  for (int k = 0; k < size; ++k)
-    apply_law<advances_springs>(c, k, time_step, smallest_normal_force);
+/// Whether the bodies are bodies in the plane that move in it.
+inline bool in_plane(const Columns& c, int size) {
+  return all_zero(c.in, {C::nz, C::liz, C::ljz, C::vz, C::wix, C::wiy, C::wjx, C::wjy, C::sz}, size);
 }
 
 inline void law_loop(Columns& c, int size) {
-  if (c.pass.advances_springs)
-    apply_laws<true>(c, size);
+  if (in_plane(c, size))
+    apply_laws<InPlane>(c, size);
   else
-    apply_laws<false>(c, size);
+    apply_laws<InSpace>(c, size);
 }
 
 ELLIPSOID_VECTOR_VERSIONS(law, Columns)

@@ -104,9 +104,85 @@ TEST_P(ContactBatchTest, ResultsDoNotDependOnTheCompany) {
   }
 }
 
+// The overlap is phi at the normal, whatever the normal's own error.
+TEST_P(ContactBatchTest, OverlapIsThatAlongTheNormal) {
+  const std::vector<Case> cases = make_cases(GetParam(), 20000);
+  const std::vector<ContactGeometry> results = solve(cases, ContactBatch::capacity);
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    const Pair& p = cases[k].pair;
+    ASSERT_NEAR(results[k].overlap,
+                overlap_along(p.i.shape, p.j.shape, p.centre_distance, results[k].normal),
+                1e-14 * norm(p.centre_distance));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Shapes, ContactBatchTest,
                          testing::Values(Family::prolate, Family::oblate, Family::triaxial),
                          [](const auto& info) { return name(info.param); });
+
+namespace {
+
+/// Pairs near contact in the plane, bodies with z as any of their axes.
+std::vector<Case> make_plane_cases(int count) {
+  PairGenerator random(40102);
+  const auto body = [&random] {
+    Body b;
+    b.semiaxes = {random.log_uniform(0.3, 3.0), random.log_uniform(0.3, 3.0),
+                  random.log_uniform(0.3, 3.0)};
+    b.orientation = normalized(Quaternion{random.uniform(-1.0, 1.0), 0.0, 0.0, random.uniform(-1.0, 1.0)});
+    b.shape = make_shape(b.semiaxes, b.orientation);
+    return b;
+  };
+  std::vector<Case> cases;
+  while (static_cast<int>(cases.size()) < count) {
+    Case c{{body(), body(), {}}, {}};
+    const double angle = random.uniform(0.0, 6.3), turn = random.log_uniform(1e-8, 0.2);
+    const Vector3 normal{std::cos(angle), std::sin(angle), 0.0};
+    const auto reach = [&normal](const Body& b) {
+      return (1.0 / support(b.shape, normal)) * (b.shape.a_matrix * normal);
+    };
+    c.pair.centre_distance =
+        reach(c.pair.i) + reach(c.pair.j) - random.uniform(-0.01, 0.05) * normal;
+    c.start = {std::cos(angle + turn), std::sin(angle + turn), 0.0};
+    cases.push_back(c);
+  }
+  return cases;
+}
+
+} // namespace
+
+// Pairs in the plane among themselves, and each with a pair out of the plane: the same numbers.
+TEST(ContactBatch, ComputesInThePlaneAsInSpace) {
+  const std::vector<Case> in_plane = make_plane_cases(5000);
+  const Case out_of_plane = make_cases(Family::triaxial, 1).front();
+  std::vector<Case> mixed;
+  for (const Case& c : in_plane) {
+    mixed.push_back(c);
+    mixed.push_back(out_of_plane);
+  }
+  const std::vector<ContactGeometry> plane = solve(in_plane, ContactBatch::capacity),
+                                     space = solve(mixed, ContactBatch::capacity);
+  const auto same = [](const Vector3& a, const Vector3& b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+  };
+  int touching = 0;
+  for (std::size_t k = 0; k < in_plane.size(); ++k) {
+    const ContactGeometry &p = plane[k], &s = space[2 * k];
+    ASSERT_EQ(p.status, s.status);
+    ASSERT_TRUE(same(p.normal, s.normal)) << "pair " << k;
+    ASSERT_EQ(p.normal.z, 0.0);
+    if (p.status != ContactStatus::touching)
+      continue;
+    ++touching;
+    ASSERT_TRUE(same(p.point, s.point)) << "pair " << k;
+    ASSERT_EQ(p.overlap, s.overlap);
+    ASSERT_EQ(p.reduced_radius, s.reduced_radius);
+    ASSERT_EQ(p.curvature_radius_i, s.curvature_radius_i);
+    ASSERT_EQ(p.curvature_radius_j, s.curvature_radius_j);
+    ASSERT_EQ(p.iterations, s.iterations);
+  }
+  EXPECT_GT(touching, 3000);
+}
 
 // Two coinciding bodies, and a start across the line of centres: nothing to trust in the batch.
 TEST(ContactBatch, LeavesTroublesomePairsToTheSearchOfSinglePairs) {

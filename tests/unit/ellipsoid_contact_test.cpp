@@ -102,6 +102,8 @@ TEST_P(FamilyTest, SwapSymmetry) {
     const auto c = find_contact(p.i.shape, p.j.shape, p.centre_distance);
     const auto s = find_contact(p.j.shape, p.i.shape, -p.centre_distance);
     const double scale = largest_axis(p);
+    EXPECT_NEAR(c.overlap, overlap_along(p.i.shape, p.j.shape, p.centre_distance, c.normal),
+                1e-14 * scale);
     EXPECT_NEAR(c.overlap, s.overlap, 1e-13 * scale);
     EXPECT_LT(norm(c.normal + s.normal), 1e-10);
     EXPECT_LT(norm(c.point - (s.point + p.centre_distance)), 1e-10 * scale);
@@ -123,6 +125,8 @@ TEST_P(FamilyTest, RotationAndScaleInvariance) {
     const Rotation3 r = rotation(q);
     const auto t = find_contact(turned(p.i), turned(p.j), scale * r.to_space(p.centre_distance));
     EXPECT_EQ(t.status, c.status);
+    EXPECT_NEAR(c.overlap, overlap_along(p.i.shape, p.j.shape, p.centre_distance, c.normal),
+                1e-14 * largest_axis(p));
     EXPECT_NEAR(t.overlap / scale, c.overlap, 1e-13 * largest_axis(p));
     EXPECT_LT(norm(t.normal - r.to_space(c.normal)), 1e-9);
     EXPECT_NEAR(t.reduced_radius / scale / c.reduced_radius, 1.0, 1e-6);

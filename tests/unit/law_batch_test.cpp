@@ -23,11 +23,13 @@ struct Contact {
 class RandomContacts {
 public:
   /// Some without a spring, some with a spring across the tangent plane, some that slip.
+  explicit RandomContacts(bool in_plane = false) : in_plane_(in_plane) {}
+
   Contact next() {
     Contact c;
     const Vector3 normal = normalized(vector(1.0));
     c.place = {normal, vector(2e-3), vector(2e-3), positive(1e-6), positive(2e-3)};
-    c.motion = {vector(0.05), vector(10.0), vector(10.0)};
+    c.motion = {vector(0.05), spin(), spin()};
     c.parameters = {positive(2e8), positive(1e8), positive(1e3), positive(1e3), positive(1.0)};
     c.masses = {positive(1e-6), positive(1e-6)};
     const double kind = positive(1.0);
@@ -41,9 +43,12 @@ private:
   std::mt19937_64 random_{20260};
   std::normal_distribution<double> gauss_;
   std::uniform_real_distribution<double> uniform_;
+  bool in_plane_;
   Vector3 vector(double size) {
-    return {size * gauss_(random_), size * gauss_(random_), size * gauss_(random_)};
+    const double x = size * gauss_(random_), y = size * gauss_(random_);
+    return {x, y, in_plane_ ? 0.0 : size * gauss_(random_)};
   }
+  Vector3 spin() { return in_plane_ ? Vector3{0.0, 0.0, 10.0 * gauss_(random_)} : vector(10.0); }
   double positive(double size) { return size * uniform_(random_); }
 };
 
@@ -80,8 +85,12 @@ void expect_same(const Vector3& found, const Vector3& expected) {
 
 } // namespace
 
-TEST(ContactLawBatch, GivesTheBitsOfSingleContacts) {
-  RandomContacts random;
+class LawBatchTest : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(Motion, LawBatchTest, testing::Values(false, true),
+                         [](const auto& info) { return info.param ? "in_plane" : "in_space"; });
+
+TEST_P(LawBatchTest, GivesTheBitsOfSingleContacts) {
+  RandomContacts random(GetParam());
   int slipping = 0, sticking = 0;
   for (const LawPass& pass : {LawPass{5e-6, true, false}, LawPass{5e-6, true, true},
                               LawPass{5e-6, false, false}})
