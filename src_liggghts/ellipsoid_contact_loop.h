@@ -372,6 +372,8 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
   }
 
   ellipsoid::PairMasses masses(int i, int j) const {
+    if (!frozen_group_ && !rigid_masses_)
+      return {particles_.mass[i], particles_.mass[j]};
     if (particles_.mask[i] & frozen_group_)
       return ellipsoid::PairMasses::one_held(mass(j));
     if (particles_.mask[j] & frozen_group_)
@@ -418,36 +420,49 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
     apply_contact(c, touch.weight);
   }
 
-  /// In the order in which they came; those without history are none.
-  __attribute__((noinline)) void apply_waiting_contacts() {
-    const bool advances_springs = !is_set_up();
+  void apply_waiting_contacts() {
+    apply_contacts([this](int k) { return waiting_contacts_[k]; });
+  }
+
+  /// In the order in which they came.
+  /// @param[in] contact_of contact_of(k): contact k of the batch; if it has no history it is none
+  template <typename ContactOf>
+  __attribute__((noinline)) void apply_contacts(const ContactOf& contact_of) {
+    const bool advances_springs = !is_set_up(), adds = contact_.computeflag;
+    const bool reports = reports_ || pair_->keeps_records();
     law_batch_.solve({update->dt, advances_springs, no_attraction_});
+    const bool in_plane = law_batch_.are_in_plane();
     for (int k = 0; k < law_batch_.size(); ++k) {
-      const WaitingContact& waiting = waiting_contacts_[k];
-      if (!waiting.history)
+      const WaitingContact contact = contact_of(k);
+      if (!contact.history)
         continue;
       if (advances_springs)
-        ellipsoid_host::store(law_batch_.spring(k), &waiting.history[spring_offset_]);
-      const ellipsoid::ContactAction action = law_batch_.action(k);
-      if (contact_.computeflag)
-        add_action(waiting, action);
-      if (reports_ || pair_->keeps_records())
-        report_action(waiting, law_batch_.place(k), action);
+        ellipsoid_host::store(law_batch_.spring(k), &contact.history[spring_offset_]);
+      if (adds && in_plane)
+        add_action<true>(contact, law_batch_.action(k));
+      else if (adds)
+        add_action<false>(contact, law_batch_.action(k));
+      if (reports)
+        report_action(contact, law_batch_.place(k), law_batch_.action(k));
     }
     law_batch_.clear();
   }
 
   bool owns(int j) const { return newton_ || j < particles_.owned; }
 
+  /// @tparam in_plane the other numbers are 0
+  template <bool in_plane>
   void add_action(const WaitingContact& contact, const ellipsoid::ContactAction& action) {
     const auto add = [this](int k, const ellipsoid::Vector3& f, const ellipsoid::Vector3& t) {
       double *to = particles_.f[k], *torque = particles_.torque[k];
       to[0] += f.x;
       to[1] += f.y;
+      torque[2] += t.z;
+      if (in_plane)
+        return;
       to[2] += f.z;
       torque[0] += t.x;
       torque[1] += t.y;
-      torque[2] += t.z;
     };
     const double share_i = contact.weight * pair_->relax(contact.i);
     add(contact.i, share_i * action.force, share_i * action.torque_i);

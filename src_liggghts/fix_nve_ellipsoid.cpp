@@ -48,25 +48,9 @@ inline void kick(const ParticleArrays& p, int i, double half_step) {
   }
 }
 
-/// The same in the plane. Motion in the plane is written number by
-/// number: what is copied as a whole right after it was stored in parts keeps the processor waiting.
-inline void kick_in_plane(const ParticleArrays& p, int i, double half_step) {
-  const double *f = p.f[i], scale = half_step / p.mass[i];
-  double* v = p.v[i];
-  v[0] += scale * f[0];
-  v[1] += scale * f[1];
-  p.angmom[i][2] += half_step * p.torque[i][2];
-}
-
-/// Velocities out of the plane: they would bring forces.
-inline void stop_out_of_plane(const ParticleArrays& p, int i) {
-  p.v[i][2] = p.omega[i][0] = p.omega[i][1] = 0.0;
-}
-
 /// Takes out what rounding (or a force out of the plane) has put in.
 inline void keep_in_plane(const ParticleArrays& p, int i) {
-  stop_out_of_plane(p, i);
-  p.f[i][2] = 0.0;
+  p.v[i][2] = p.omega[i][0] = p.omega[i][1] = p.f[i][2] = 0.0;
   for (int k = 0; k < 2; ++k)
     p.torque[i][k] = p.angmom[i][k] = 0.0;
 }
@@ -126,9 +110,13 @@ void FixNVEEllipsoid::init() {
   }
 }
 
+/// All particles of the group are among the first so many.
+int FixNVEEllipsoid::candidate_count() const {
+  return igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
+}
+
 template <class Action> void FixNVEEllipsoid::for_each_atom(Action action) const {
-  const int count = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < candidate_count(); ++i)
     if (atom->mask[i] & groupbit)
       action(i);
 }
@@ -185,28 +173,11 @@ void FixNVEEllipsoid::know_inertia() {
   });
 }
 
-/// Everything that is done per particle is inlined.
-__attribute__((flatten)) void FixNVEEllipsoid::start_step_in_plane() {
-  const double *inverse_inertia = inverse_inertia_.data(), step = dtv, half_step = dtf;
-  for_each_atom([=, p = ParticleArrays(*atom)](int i) {
-    kick_in_plane(p, i, half_step);
-    stop_out_of_plane(p, i);
-    for (int k = 0; k < 2; ++k)
-      p.x[i][k] += step * p.v[i][k];
-    const double rate = p.angmom[i][2] * inverse_inertia[i];
-    p.omega[i][2] = rate;
-    store(rotate_about_z(quaternion(p.quaternion[i]), step * rate), p.quaternion[i]);
-  });
-}
-
-/// Everything that is done per particle is inlined.
-__attribute__((flatten)) void FixNVEEllipsoid::end_step_in_plane() {
-  const double *inverse_inertia = inverse_inertia_.data(), half_step = dtf;
-  for_each_atom([=, p = ParticleArrays(*atom)](int i) {
-    kick_in_plane(p, i, half_step);
-    keep_in_plane(p, i);
-    p.omega[i][2] = p.angmom[i][2] * inverse_inertia[i];
-  });
+ellipsoid::PlanarRows FixNVEEllipsoid::planar_rows() const {
+  const ParticleArrays p(*atom);
+  return {p.x[0],      p.v[0],          p.f[0], p.omega[0],
+          p.angmom[0], p.torque[0],     p.quaternion[0],
+          p.mass,      inverse_inertia_.data(), p.mask, groupbit};
 }
 
 /// Derivatives of a particle that has none: of constant force, and of a torque that is constant in
@@ -345,7 +316,7 @@ void FixNVEEllipsoid::initial_integrate(int) {
   if (gear_)
     for_each_atom([this, gear = ellipsoid::Gear(dtv)](int i) { predict(i, gear); });
   else if (planar_)
-    start_step_in_plane();
+    start_planar_step(planar_rows(), candidate_count(), dtv, dtf);
   else
     start_step_in_space();
 }
@@ -356,7 +327,7 @@ void FixNVEEllipsoid::final_integrate() {
   if (gear_)
     for_each_atom([this, gear = ellipsoid::Gear(dtv)](int i) { correct(i, gear); });
   else if (planar_)
-    end_step_in_plane();
+    end_planar_step(planar_rows(), candidate_count(), dtf);
   else
     end_step_in_space();
 }

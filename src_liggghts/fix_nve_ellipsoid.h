@@ -9,6 +9,7 @@ FixStyle(nve/ellipsoid,FixNVEEllipsoid)
 
 #include "fix_nve.h"
 #include "particle_arrays.h"
+#include "planar_motion.h"
 #include "rotation_batch.h"
 
 #include <cstddef>
@@ -58,8 +59,8 @@ private:
   void turn_waiting(const LIGGGHTS::ParticleArrays& particles);
   std::size_t inverse_inertia_size() const;
   void know_inertia();
-  void start_step_in_plane();
-  void end_step_in_plane();
+  int candidate_count() const;
+  ellipsoid::PlanarRows planar_rows() const;
   void start_step_in_space();
   void end_step_in_space();
   double inertia_about_z(int i) const;

@@ -201,9 +201,12 @@ void FixWallGranEllipsoid::find_plane_contacts_of(int i) {
       add_contact(c);
     return;
   }
-  const ellipsoid::ContactGeometry contact = find_plane_contact(
-      ellipsoid::make_shape(vector(atom->shape[i]), ellipsoid_host::quaternion(atom->quaternion[i])),
-      point, normal);
+  const Vector3 semiaxes = vector(atom->shape[i]);
+  const ellipsoid::Quaternion orientation = ellipsoid_host::quaternion(atom->quaternion[i]);
+  if (!may_touch_plane(semiaxes, orientation, normal, dot(normal, point)))
+    return;
+  const ellipsoid::ContactGeometry contact =
+      find_plane_contact(ellipsoid::make_shape(semiaxes, orientation), point, normal);
   if (contact.status != ellipsoid::ContactStatus::separated)
     add_contact(contact);
 }

@@ -119,8 +119,9 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     batch_.clear();
   }
 
+  /// Most pairs are searched in one step and touch: the others are counted besides.
   struct Counts {
-    double tested = 0.0, newton_steps = 0.0, touching = 0.0, not_converged = 0.0;
+    double tested = 0.0, more_steps = 0.0, apart = 0.0, not_converged = 0.0;
   };
 
   /// A touching pair starts from its last normal, together with others.
@@ -196,30 +197,32 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     batch_.solve_open();
     this->law_batch_.take_places(batch_);
     for (int k = 0; k < batch_.size(); ++k) {
-      const PairAtHand pair = waiting_[k];
-      auto& contact = this->waiting_contacts_[k];
+      PairAtHand& pair = waiting_[k];
       if (!touches(pair, {batch_.normal(k), batch_.steps(k), batch_.is_apart(k), batch_.has_converged(k)},
                    counts)) {
-        contact.history = nullptr;
+        pair.history = nullptr;
         continue;
       }
       if (!flags_are_set_) {
         *pair.flag |= CONTACT_SURFACE_MODEL;
         this->flag_for_law(*pair.flag);
       }
-      contact = {pair.i, pair.j, pair.flag, pair.history, 1.0, batch_.curvature_radius_i(k),
-                 batch_.curvature_radius_j(k), -1, -1};
       this->law_batch_.move(k, this->motion(pair.i, pair.j), this->law_parameters(pair.i, pair.j),
                             this->masses(pair.i, pair.j), this->spring(pair.history));
     }
-    this->apply_waiting_contacts();
+    this->apply_contacts([this](int k) -> typename Base::WaitingContact {
+      const PairAtHand& pair = waiting_[k];
+      return {pair.i, pair.j, pair.flag, pair.history, 1.0, batch_.curvature_radius_i(k),
+              batch_.curvature_radius_j(k), -1, -1};
+    });
   }
 
   void publish(const Counts& counts) {
+    const double touching = counts.tested - counts.apart;
     counts_.values[ContactCounts::tested] += counts.tested;
-    counts_.values[ContactCounts::newton_steps] += counts.newton_steps;
-    counts_.values[ContactCounts::touching_pairs] += counts.touching;
-    counts_.values[ContactCounts::contacts] += counts.touching;
+    counts_.values[ContactCounts::newton_steps] += counts.tested + counts.more_steps;
+    counts_.values[ContactCounts::touching_pairs] += touching;
+    counts_.values[ContactCounts::contacts] += touching;
     counts_.values[ContactCounts::not_converged] += counts.not_converged;
   }
 
@@ -245,15 +248,17 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
                                               Counts& counts) {
     const double share = this->share(pair.j);
     counts.tested += share;
-    counts.newton_steps += share * finding.steps;
+    if (finding.steps != 1.0)
+      counts.more_steps += share * (finding.steps - 1.0);
     if (!this->is_set_up())
       ellipsoid_host::store(-finding.normal, &pair.history[normal_x]);
     if (finding.apart) {
+      counts.apart += share;
       forget(pair.i, pair.j, *pair.flag, pair.history);
       return false;
     }
-    counts.touching += share;
-    counts.not_converged += finding.converged ? 0.0 : share;
+    if (!finding.converged)
+      counts.not_converged += share;
     return true;
   }
 

@@ -14,12 +14,14 @@ void SurfaceMotions::restart(const LAMMPS_NS::Atom& atom, double time_step, std:
   const ParticleArrays particles(atom);
   centres_.assign(particles.x[0], particles.x[0] + 3 * count);
   orientations_.assign(particles.quaternion[0], particles.quaternion[0] + 4 * count);
+  turning_radii_.resize(count);
   clocks_.restart(count);
   for (std::size_t k = 0; k < count; ++k) {
     const int i = static_cast<int>(k);
     const double* axes = particles.shape[i];
+    turning_radii_[k] = ellipsoid::turning_radius(axes[0], axes[1], axes[2]);
     clocks_.expect(k, {time_step * ellipsoid_host::vector(particles.v[i]),
-                       time_step * ellipsoid::turning_radius(axes[0], axes[1], axes[2]) *
+                       time_step * turning_radii_[k] *
                            norm(ellipsoid_host::vector(particles.omega[i]))});
   }
 }
@@ -36,7 +38,7 @@ bool SurfaceMotions::update(const LAMMPS_NS::Atom& atom, double time_step, bool 
   for (std::size_t first = 0; first < count; first += ellipsoid::Motions::capacity) {
     const int i = static_cast<int>(first);
     motions.count = std::min(ellipsoid::Motions::capacity, static_cast<int>(count - first));
-    ellipsoid::take_motions({particles.shape[i], particles.x[i], particles.quaternion[i],
+    ellipsoid::take_motions({&turning_radii_[first], particles.x[i], particles.quaternion[i],
                              &centres_[3 * first], &orientations_[4 * first]},
                             motions);
     clocks_.advance_from(first, motions);

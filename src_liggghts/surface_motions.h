@@ -24,6 +24,7 @@ public:
 
 private:
   std::vector<double> centres_, orientations_; // at the last call: 3 and 4 numbers each
+  std::vector<double> turning_radii_;
   ellipsoid::MotionClocks clocks_;
 
   void restart(const LAMMPS_NS::Atom& atom, double time_step, std::size_t count);

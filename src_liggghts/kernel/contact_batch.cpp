@@ -127,6 +127,24 @@ template <class Place, class Normals> struct PairSearch {
     c.out[C::open][at.k] = open & !solved ? 1.0 : 0.0;
   }
 
+  /// The normal after one Newton step.
+  void turn() const {
+    const OverlapFunction f = overlap_function();
+    const OverlapHessian h(curvature_radii_sum(a_i(), a_j(), f), f.value);
+    at.put(w.of, Work::shift_x, normalized(f.normal + h.newton_shift(f)));
+  }
+
+  /// The better one of two proofs: the normal as it is, and after one Newton step.
+  void separate() const {
+    const Vector next = at.vector(w.of, Work::shift_x);
+    const double before = w.of[Work::phi][at.k];
+    const double after = std::sqrt(dot(next, a_i() * next)) + std::sqrt(dot(next, a_j() * next)) -
+                         dot(next, distance());
+    const bool better = after < before;
+    at.put(c.out, C::nx, chosen(better, next, normal()));
+    c.out[C::overlap][at.k] = better ? after : before;
+  }
+
  private:
   static constexpr double below_zero = -std::numeric_limits<double>::denorm_min();
 };
@@ -179,23 +197,15 @@ inline void search_loop(Columns& c, int size) {
 
 ELLIPSOID_VECTOR_VERSIONS(search, Columns)
 
-/// The better one of two proofs: the normal as it is, and after one Newton step.
-template <class Place> inline void separate(Columns& c, const Place& at) {
-  using C = Columns;
-  const auto a_i = at.matrix(c.in, C::axx_i), a_j = at.matrix(c.in, C::axx_j);
-  const auto distance = at.vector(c.in, C::dx), normal = at.vector(c.in, C::start_x);
-  const OverlapFunction f(a_i, a_j, distance, normal);
-  const OverlapHessian h(curvature_radii_sum(a_i, a_j, f), f.value);
-  const auto next = normalized(normal + h.newton_shift(f));
-  const double value = std::sqrt(dot(next, a_i * next)) + std::sqrt(dot(next, a_j * next)) -
-                       dot(next, distance);
-  const bool better = value < f.value;
-  at.put(c.out, C::nx, chosen(better, next, normal));
-  c.out[C::overlap][at.k] = better ? value : f.value;
-}
-
 template <class Place> inline void separate_pairs(Columns& c, int size) {
-  for_items(0, size, [&c](int k) { separate(c, Place{k}); });
+  using C = Columns;
+  Work w;
+  const auto pair = [&](int k) {
+    return PairSearch<Place, decltype(c.in)>{c, w, c.in, C::start_x, {k}};
+  };
+  for_items(0, size, [&](int k) { pair(k).evaluate(); });
+  for_items(0, size, [&](int k) { pair(k).turn(); });
+  for_items(0, size, [&](int k) { pair(k).separate(); });
 }
 
 inline void separate_all_loop(Columns& c, int size) {
@@ -209,13 +219,8 @@ ELLIPSOID_VECTOR_VERSIONS(separate_all, Columns)
 
 } // namespace
 
-void ContactBatch::fill_last_block() {
-  filled_up(columns_.in, size(), loop_width);
-}
-
 void ContactBatch::solve() {
-  fill_last_block();
-  search(columns_, size());
+  search(columns_, filled_up(columns_.in, size(), loop_width));
 }
 
 void ContactBatch::solve_open() {
@@ -242,8 +247,7 @@ void ContactBatch::solve_open() {
 }
 
 void ContactBatch::find_gaps() {
-  fill_last_block();
-  separate_all(columns_, size());
+  separate_all(columns_, filled_up(columns_.in, size(), loop_width));
 }
 
 ContactGeometry ContactBatch::search_alone(int k) const {

@@ -69,7 +69,6 @@ private:
   Columns columns_;
   const EllipsoidShape *shape_i_[capacity], *shape_j_[capacity];
 
-  void fill_last_block();
   ContactGeometry search_alone(int k) const;
 };
 

@@ -100,7 +100,8 @@ inline bool in_plane(const Columns& c, int size) {
 }
 
 inline void law_loop(Columns& c, int size) {
-  if (in_plane(c, size))
+  c.are_in_plane = in_plane(c, size);
+  if (c.are_in_plane)
     apply_laws<InPlane>(c, size);
   else
     apply_laws<InSpace>(c, size);

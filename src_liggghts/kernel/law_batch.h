@@ -71,6 +71,8 @@ class ContactLawBatch : public Batch {
 
   void solve(const LawPass& pass);
 
+  /// Whether all forces, after solve(), lie along x and y and all torques along z.
+  bool are_in_plane() const { return columns_.are_in_plane; }
   /// As it was added.
   ContactPlace place(int k) const;
   /// Of contact k, after solve().
@@ -88,6 +90,7 @@ class ContactLawBatch : public Batch {
     alignas(64) double in[input_count][column_length];
     alignas(64) double out[result_count][column_length];
     LawPass pass{};
+    bool are_in_plane = false; ///< all contacts, and so forces along x and y and torques along z
   };
 
 private:

@@ -23,7 +23,7 @@ inline void take_displacements(const double* now, double* before, int count,
 }
 
 inline void take_all_loop(Rows& rows, int count) {
-  const double* axes = rows.poses.semiaxes;
+  const double* radii = rows.poses.turning_radii;
   double* turns = rows.motions.turns;
   alignas(64) double squares[4 * Motions::capacity];
   take_displacements(rows.poses.centres, rows.poses.last_centres, count,
@@ -31,7 +31,7 @@ inline void take_all_loop(Rows& rows, int count) {
   take_squared_changes(rows.poses.orientations, rows.poses.last_orientations, 4 * count, squares);
 #pragma GCC ivdep
   for (int k = 0; k < count; ++k)
-    turns[k] = turning_radius(axes[3 * k], axes[3 * k + 1], axes[3 * k + 2]) *
+    turns[k] = radii[k] *
                largest_angle(std::sqrt(squares[4 * k] + squares[4 * k + 1] + squares[4 * k + 2] +
                                        squares[4 * k + 3]));
 }

@@ -29,11 +29,11 @@ inline double largest_angle(double quaternion_distance) {
 
 /// Rows of numbers, one row per particle.
 struct PoseRows {
-  const double* semiaxes;     ///< 3 each (length)
-  const double* centres;      ///< 3 each (length)
-  const double* orientations; ///< 4 each: unit quaternion
-  double* last_centres;       ///< a step ago; become `centres`
-  double* last_orientations;  ///< a step ago; become `orientations`
+  const double* turning_radii; ///< (length)
+  const double* centres;       ///< 3 each (length)
+  const double* orientations;  ///< 4 each: unit quaternion
+  double* last_centres;        ///< a step ago; become `centres`
+  double* last_orientations;   ///< a step ago; become `orientations`
 };
 
 /// @param[in,out] motions of `motions.count` particles

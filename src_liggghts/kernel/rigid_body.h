@@ -72,6 +72,36 @@ struct Rotating {
   Vector3 omega;
 };
 
+/// A body in the midst of a step of rotate_freely().
+struct FreeRotation {
+  Quaternion q;
+  Vector3 m; ///< angular momentum, body frame
+
+  /// The first turns.
+  void turn_zy(const Vector3& rate, double time_step) {
+    turn_z(rate, time_step);
+    turn_y(rate, time_step);
+  }
+  /// The last ones.
+  void turn_xyz(const Vector3& rate, double time_step) {
+    detail::turn(0.5 * time_step * rate.x * m.x, m.y, m.z, q.w, q.x, q.y, q.z);
+    turn_y(rate, time_step);
+    turn_z(rate, time_step);
+  }
+  /// In the space frame.
+  Vector3 omega(const Vector3& rate) const {
+    return rotation(q).to_space({m.x * rate.x, m.y * rate.y, m.z * rate.z});
+  }
+
+ private:
+  void turn_z(const Vector3& rate, double time_step) {
+    detail::turn(0.25 * time_step * rate.z * m.z, m.x, m.y, q.w, q.z, q.x, q.y);
+  }
+  void turn_y(const Vector3& rate, double time_step) {
+    detail::turn(0.25 * time_step * rate.y * m.y, m.z, m.x, q.w, q.y, q.z, q.x);
+  }
+};
+
 /// Advances the orientation of a torque-free body by `time_step`: symmetric splitting into turns
 /// about the body's axes (as Miller et al. 2002, J. Chem. Phys. 116, 8649, order z y x y z), each
 /// with its constant component of the angular momentum. Second order, time-reversible; angular
@@ -81,18 +111,11 @@ struct Rotating {
 /// @return orientation and angular velocity after the step
 inline Rotating rotate_freely(const Quaternion& orientation, const Vector3& momentum,
                               const Vector3& inverse_inertia, double time_step) {
-  Quaternion q = orientation;
-  Vector3 m = rotation(q).to_body(momentum);
-  const Vector3& rate = inverse_inertia;
-  const double half_x = 0.5 * time_step * rate.x; // times momentum: tangent of half the angle
-  const double half_y = 0.25 * time_step * rate.y, half_z = 0.25 * time_step * rate.z;
-  detail::turn(half_z * m.z, m.x, m.y, q.w, q.z, q.x, q.y);
-  detail::turn(half_y * m.y, m.z, m.x, q.w, q.y, q.z, q.x);
-  detail::turn(half_x * m.x, m.y, m.z, q.w, q.x, q.y, q.z);
-  detail::turn(half_y * m.y, m.z, m.x, q.w, q.y, q.z, q.x);
-  detail::turn(half_z * m.z, m.x, m.y, q.w, q.z, q.x, q.y);
-  q = normalized(q);
-  return {q, rotation(q).to_space({m.x * rate.x, m.y * rate.y, m.z * rate.z})};
+  FreeRotation body{orientation, rotation(orientation).to_body(momentum)};
+  body.turn_zy(inverse_inertia, time_step);
+  body.turn_xyz(inverse_inertia, time_step);
+  body.q = normalized(body.q);
+  return {body.q, body.omega(inverse_inertia)};
 }
 
 /// Moment of inertia about the space z axis, and how far z is from a principal axis.
@@ -115,13 +138,6 @@ inline PlanarInertia planar_inertia(const Quaternion& orientation, const Vector3
                          : z.y * z.y > share ? inertia.y
                                              : inertia.z;
   return {about_z, dot(across, across) / dot(momentum, momentum)};
-}
-
-/// Turns a body about the space z axis by `angle` (rad), second order in it, norm kept.
-inline Quaternion rotate_about_z(const Quaternion& q, double angle) {
-  const double half = 0.5 * angle; // (1 + half z) q
-  return normalized(
-      Quaternion{q.w - half * q.z, q.x - half * q.y, q.y + half * q.x, q.z + half * q.w});
 }
 
 } // namespace ellipsoid

@@ -1,29 +1,62 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "rotation_batch.h"
 
+#include "batch_columns.h"
 #include "vector_versions.h"
 
 namespace ellipsoid {
 
 namespace {
 
-inline void rotate_loop(RotationBatch::Columns& c, int size) {
-  using C = RotationBatch::Columns;
-  const double time_step = c.time_step;
-  auto& v = c.values;
-#pragma GCC ivdep
-  for (int k = 0; k < size; ++k) {
-    const Rotating after = rotate_freely({v[C::qw][k], v[C::qx][k], v[C::qy][k], v[C::qz][k]},
-                                         {v[C::mx][k], v[C::my][k], v[C::mz][k]},
-                                         {v[C::ix][k], v[C::iy][k], v[C::iz][k]}, time_step);
-    v[C::qw][k] = after.orientation.w;
-    v[C::qx][k] = after.orientation.x;
-    v[C::qy][k] = after.orientation.y;
-    v[C::qz][k] = after.orientation.z;
-    v[C::wx][k] = after.omega.x;
-    v[C::wy][k] = after.omega.y;
-    v[C::wz][k] = after.omega.z;
+using C = RotationBatch::Columns;
+
+/// A body of the batch: on the way its momentum has the place of its angular velocity.
+struct Body {
+  C& c;
+  int k;
+
+  double& value(int column) const { return c.values[column][k]; }
+  Quaternion orientation() const {
+    return {value(C::qw), value(C::qx), value(C::qy), value(C::qz)};
   }
+  Vector3 vector(int column) const {
+    return {value(column), value(column + 1), value(column + 2)};
+  }
+  FreeRotation rotation() const { return {orientation(), vector(C::wx)}; }
+  Vector3 rate() const { return vector(C::ix); }
+  void put(const Quaternion& q, const Vector3& w) const {
+    value(C::qw) = q.w;
+    value(C::qx) = q.x;
+    value(C::qy) = q.y;
+    value(C::qz) = q.z;
+    value(C::wx) = w.x;
+    value(C::wy) = w.y;
+    value(C::wz) = w.z;
+  }
+
+  void begin() const {
+    const Quaternion q = orientation();
+    FreeRotation r{q, ellipsoid::rotation(q).to_body(vector(C::mx))};
+    r.turn_zy(rate(), c.time_step);
+    put(r.q, r.m);
+  }
+  void go_on() const {
+    FreeRotation r = rotation();
+    r.turn_xyz(rate(), c.time_step);
+    put(r.q, r.m);
+  }
+  void finish() const {
+    FreeRotation r = rotation();
+    r.q = normalized(r.q);
+    put(r.q, r.omega(rate()));
+  }
+};
+
+/// In three loops (see batch_columns.h).
+inline void rotate_loop(C& c, int size) {
+  for_items(0, size, [&c](int k) { Body{c, k}.begin(); });
+  for_items(0, size, [&c](int k) { Body{c, k}.go_on(); });
+  for_items(0, size, [&c](int k) { Body{c, k}.finish(); });
 }
 
 ELLIPSOID_VECTOR_VERSIONS(rotate, RotationBatch::Columns)

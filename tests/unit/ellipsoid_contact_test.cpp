@@ -112,6 +112,26 @@ TEST_P(FamilyTest, SwapSymmetry) {
   }
 }
 
+// Never wrong about bodies that touch, and right about nearly all that do not.
+TEST_P(FamilyTest, MayTouchPlane) {
+  PairGenerator random(8);
+  int apart = 0, found_apart = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const Body b = random.body(GetParam(), 1.0, 20.0);
+    const Vector3 normal = random.direction();
+    const double reach = support(b.shape, normal);
+    const double distance = reach * (k % 2 == 0 ? random.uniform(0.5, 2.0)
+                                                : 1.0 + random.uniform(-1e-10, 1e-10));
+    const bool touches = find_plane_contact(b.shape, distance * normal, normal).status ==
+                         ContactStatus::touching;
+    const bool may_touch = may_touch_plane(b.semiaxes, b.orientation, normal, distance);
+    EXPECT_TRUE(may_touch || !touches) << distance / reach - 1.0;
+    apart += touches ? 0 : 1;
+    found_apart += may_touch ? 0 : 1;
+  }
+  EXPECT_GT(found_apart, 0.98 * apart);
+}
+
 TEST_P(FamilyTest, RotationAndScaleInvariance) {
   PairGenerator random(7);
   for (int k = 0; k < 20000; ++k) {

@@ -30,7 +30,7 @@ TEST(MotionBatch, TurnsBoundWhatSurfacesDo) {
   std::uniform_real_distribution<double> positive(0.1, 2.0);
   double tightest = 0.0;
   for (const int count : {1, 7, 63, Motions::capacity}) {
-    std::vector<double> axes, x, q, last_x, last_q;
+    std::vector<double> axes, radii, x, q, last_x, last_q;
     for (int k = 0; k < count; ++k) {
       const double change = k % 5 == 0 ? 1.0 : 1e-6 * k; // any turn; small ones
       const Quaternion before =
@@ -39,6 +39,7 @@ TEST(MotionBatch, TurnsBoundWhatSurfacesDo) {
           Quaternion{before.w + change * gauss(random), before.x + change * gauss(random),
                      before.y + change * gauss(random), before.z + change * gauss(random)});
       axes.insert(axes.end(), {positive(random), positive(random), positive(random)});
+      radii.push_back(turning_radius(axes[axes.size() - 3], axes[axes.size() - 2], axes.back()));
       last_q.insert(last_q.end(), {before.w, before.x, before.y, before.z});
       q.insert(q.end(), {after.w, after.x, after.y, after.z});
       for (int l = 0; l < 3; ++l) {
@@ -49,7 +50,7 @@ TEST(MotionBatch, TurnsBoundWhatSurfacesDo) {
     const std::vector<double> q_before = last_q, x_before = last_x;
     Motions motions;
     motions.count = count;
-    take_motions({axes.data(), x.data(), q.data(), last_x.data(), last_q.data()}, motions);
+    take_motions({radii.data(), x.data(), q.data(), last_x.data(), last_q.data()}, motions);
     EXPECT_EQ(last_x, x);
     EXPECT_EQ(last_q, q);
     for (int k = 0; k < count; ++k) {

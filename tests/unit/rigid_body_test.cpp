@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Free rotation: order, invariants, reversibility, and the limits with a closed form.
+#include "planar_motion.h"
 #include "rigid_body.h"
 
 #include <gtest/gtest.h>
