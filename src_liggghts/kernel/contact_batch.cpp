@@ -97,7 +97,7 @@ template <class Place, class Normals> struct PairSearch {
     h.trace = w.of[Work::trace][at.k];
     h.inverse_determinant = w.of[Work::inverse_determinant][at.k];
     const Vector shift = at.vector(w.of, Work::shift_x);
-    const OverlapFunction g = extrapolated(a_i(), a_j(), distance(), f, h, shift);
+    const OverlapFunction g = extrapolated(a_i(), a_j(), f, h, shift);
     put(g);
     at.put(w.of, Work::shift_x, chosen(g.value <= w.of[Work::largest_overlap][at.k], g.normal,
                                        f.normal + shift));

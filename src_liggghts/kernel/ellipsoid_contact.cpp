@@ -127,8 +127,8 @@ ContactGeometry descend(const Vector3& start, const EllipsoidShape& i, const Ell
     const TangentStep step = newton_step(f, radii);
     const bool last = step.newton && step.predicted_error <= tolerance::normal_error;
     if (last && step.length <= tolerance::extrapolated_step)
-      return finish(extrapolated(i.a_matrix, j.a_matrix, centre_distance, f,
-                                 OverlapHessian(radii, f.value), step.shift),
+      return finish(extrapolated(i.a_matrix, j.a_matrix, f, OverlapHessian(radii, f.value),
+                                 step.shift),
                     ContactStatus::touching, iteration + 1);
     const bool moved = line_search(i, j, centre_distance, step, f);
     if (last || !moved)

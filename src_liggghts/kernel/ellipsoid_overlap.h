@@ -156,26 +156,26 @@ template <class Vector> struct SupportChange {
 /// The minimum of phi near a normal, from derivatives there: Newton's step t, and Chebyshev's correction
 /// -H^-1 (dH/dt) t / 2 of it (J. F. Traub, Iterative Methods for the Solution of Equations, 1964). In
 /// directions n + t the support points alone bring terms of second order. Errors are of third order of t, that of phi is
-/// of fourth. At the minimum the gradient is phi n, which gives one support point from the other. The
-/// gradient is not carried along.
-/// @param[in] shift Newton's step (rad); 0: stays where it is, of which normal, phi and point i are right
+/// of fourth. The gradient is not carried along. When i and j are swapped only signs change, not a bit else.
+/// @param[in] shift Newton's step (rad); 0: stays where it is
 template <class Vector, class Matrix>
 inline OverlapFunction<Vector>
-extrapolated(const Matrix& a_i, const Matrix& a_j, const Vector& centre_distance,
-             const OverlapFunction<Vector>& f, const OverlapHessian<Matrix>& h, const Vector& shift) {
+extrapolated(const Matrix& a_i, const Matrix& a_j, const OverlapFunction<Vector>& f,
+             const OverlapHessian<Matrix>& h, const Vector& shift) {
   const SupportChange<Vector> i(a_i, f.support_point_i, f.inverse_support_i, shift),
       j(a_j, f.support_point_j, f.inverse_support_j, shift);
   const Vector bent = i.second + j.second;
   const Vector correction = h.step(bent - dot(bent, f.normal) * f.normal);
-  const Vector turned = f.normal + (shift + correction);
+  const SupportChange<Vector> more_i(a_i, f.support_point_i, f.inverse_support_i, correction),
+      more_j(a_j, f.support_point_j, f.inverse_support_j, correction);
+
   OverlapFunction<Vector> g = f;
+  const Vector turned = f.normal + (shift + correction);
   g.normal = (1.5 - 0.5 * dot(turned, turned)) * turned; // what made it longer or shorter is undone
   g.value = f.value + 0.5 * dot(f.tangential_gradient(), shift) +
             (i.third_order(f.inverse_support_i) + j.third_order(f.inverse_support_j));
-  const Vector first = i.first + SupportChange<Vector>(a_i, f.support_point_i, f.inverse_support_i,
-                                                       correction).first;
-  g.support_point_i = f.support_point_i + (first + i.second);
-  g.support_point_j = g.value * g.normal + centre_distance - g.support_point_i;
+  g.support_point_i = f.support_point_i + (i.first + more_i.first + i.second);
+  g.support_point_j = f.support_point_j + (j.first + more_j.first + j.second);
   const double support_i = dot(g.normal, g.support_point_i),
                support_j = dot(g.normal, g.support_point_j);
   const double inverse = 1.0 / (support_i * support_j);

@@ -104,6 +104,27 @@ TEST_P(ContactBatchTest, ResultsDoNotDependOnTheCompany) {
   }
 }
 
+// A pair across two ranks is computed by both, with i and j swapped: action is reaction to the last bit.
+TEST_P(ContactBatchTest, SwappedPairsHaveTheSameBits) {
+  const std::vector<Case> cases = make_cases(GetParam(), 5000);
+  std::vector<Case> swapped;
+  for (const Case& c : cases)
+    swapped.push_back({{c.pair.j, c.pair.i, -c.pair.centre_distance}, -c.start});
+  const std::vector<ContactGeometry> forth = solve(cases, ContactBatch::capacity),
+                                     back = solve(swapped, ContactBatch::capacity);
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    const ContactGeometry &f = forth[k], &b = back[k];
+    ASSERT_EQ(f.status, b.status);
+    ASSERT_EQ(norm(f.normal + b.normal), 0.0) << "pair " << k;
+    ASSERT_EQ(f.overlap, b.overlap);
+    if (f.status != ContactStatus::touching)
+      continue;
+    ASSERT_EQ(f.reduced_radius, b.reduced_radius);
+    ASSERT_EQ(f.curvature_radius_i, b.curvature_radius_j);
+    ASSERT_EQ(f.curvature_radius_j, b.curvature_radius_i);
+  }
+}
+
 // The overlap is phi at the normal, whatever the normal's own error.
 TEST_P(ContactBatchTest, OverlapIsThatAlongTheNormal) {
   const std::vector<Case> cases = make_cases(GetParam(), 20000);
