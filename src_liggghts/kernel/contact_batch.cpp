@@ -21,7 +21,7 @@ struct Work {
   enum Value { ix, iy, iz, jx, jy, jz, inverse_i, inverse_j, phi, shift_x, shift_y, shift_z,
                radii, // 6
                trace = radii + 6, inverse_determinant,
-               largest_overlap, ///< up to which the pair is solved
+               largest_overlap, ///< below which the pair is solved
                value_count };
   alignas(64) double of[value_count][ContactBatch::column_length];
 };
@@ -73,20 +73,28 @@ template <class Place, class Normals> struct PairSearch {
     w.of[Work::trace][at.k] = h.trace;
     w.of[Work::inverse_determinant][at.k] = h.inverse_determinant;
 
-    // squares: of the error of Newton's step over the step, and of that of the corrected step
+    // The overlap is small for the curvatures: H is not far from W_i + W_j, and the minimum is one.
+    // Bitwise &: no branches.
+    const double shallow = 2.0 * f.value * (h.trace + 2.0 * f.value);
+    const bool convex = (shallow <= tangent_determinant(h.radii)) & (h.trace > 0.0);
+    const double condition = h.trace * h.trace * h.inverse_determinant;
+    const double rate = f.radius_change_rate();
+    const double third = condition * (tolerance::third_order_squared_rate * condition * rate * rate +
+                                      tolerance::third_order_flat * flatness(f));
     const double squared = dot(shift, shift);
-    const double rate = h.trace * h.trace * h.inverse_determinant * f.radius_change_rate();
-    const double share = rate * rate * squared;
-    const double error = tolerance::third_order * tolerance::third_order * share * share * squared;
-    // bitwise &: no branches
-    const bool convex =
-        (h.determinant > tolerance::convexity * h.trace * h.trace) & (h.trace > 0.0);
-    const bool exact = (share <= 1.0) & (error <= tolerance::batch_normal_error *
-                                                      tolerance::batch_normal_error);
+    const bool exact = third * third * squared * squared * squared <=
+                       tolerance::batch_normal_error * tolerance::batch_normal_error;
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const double where_exact = convex ? c.in[C::safe_overlap][at.k] : below_zero;
     w.of[Work::largest_overlap][at.k] =
-        apart_here ? infinity : exact ? where_exact : -infinity;
+        apart_here ? infinity : convex & exact ? c.in[C::safe_overlap][at.k] : -infinity;
+  }
+
+  /// Largest (semi-axis / s)^2 of the two, or some more: how fast the radii of curvature change beside
+  /// a flat place, where they are largest (1 / rad^2).
+  double flatness(const OverlapFunction<Vector>& f) const {
+    const double i = trace(a_i()) * f.inverse_support_i * f.inverse_support_i,
+                 j = trace(a_j()) * f.inverse_support_j * f.inverse_support_j;
+    return i > j ? i : j;
   }
 
   void extrapolate() const {
@@ -99,7 +107,7 @@ template <class Place, class Normals> struct PairSearch {
     const Vector shift = at.vector(w.of, Work::shift_x);
     const OverlapFunction g = extrapolated(a_i(), a_j(), f, h, shift);
     put(g);
-    at.put(w.of, Work::shift_x, chosen(g.value <= w.of[Work::largest_overlap][at.k], g.normal,
+    at.put(w.of, Work::shift_x, chosen(g.value < w.of[Work::largest_overlap][at.k], g.normal,
                                        f.normal + shift));
   }
 
@@ -110,7 +118,7 @@ template <class Place, class Normals> struct PairSearch {
     const double r_j = c.in[C::product_j][at.k] * g.inverse_support_j * g.inverse_support_j;
     const double det_sum = tangent_determinant(curvature_radii_sum(a_i(), a_j(), g));
     const bool open = is_first ? true : c.out[C::open][at.k] != 0.0;
-    const bool solved = g.value <= w.of[Work::largest_overlap][at.k];
+    const bool solved = g.value < w.of[Work::largest_overlap][at.k];
     const auto result = [&](int column, double value) {
       c.out[column][at.k] = open ? value : c.out[column][at.k];
     };
@@ -144,9 +152,6 @@ template <class Place, class Normals> struct PairSearch {
     at.put(c.out, C::nx, chosen(better, next, normal()));
     c.out[C::overlap][at.k] = better ? after : before;
   }
-
- private:
-  static constexpr double below_zero = -std::numeric_limits<double>::denorm_min();
 };
 
 /// From the normals in rows `normal_column` and the two after it of `normals`.

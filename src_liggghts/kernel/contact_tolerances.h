@@ -23,9 +23,13 @@ constexpr double extrapolated_step = 1.0e-8;
 /// one evaluation is enough for almost all.
 constexpr double batch_normal_error = 1.0e-12;
 
-/// With e Newton's step (rad) and q e^2 its predicted error, a step of third order leaves less than this share
-/// of q^2 e^3: random pairs up to aspect 20 left 0.08 at most.
-constexpr double third_order = 0.1;
+/// A step of third order e leaves an error of less than k (c1 k r^2 + c2 T) e^3, with k the condition
+/// number of the Hessian as tr^2 / det, r the relative change of the radii of curvature per radian, and
+/// T = tr A / s^2 their second change where the first is 0, on flat sides (the larger one of the
+/// two bodies). Random and flat-on-flat pairs up to aspect 100, with overlaps up to 0.45 det W / tr W, left
+/// 0.63 of this at most.
+constexpr double third_order_squared_rate = 0.1;
+constexpr double third_order_flat = 0.125;
 
 /// Longest accepted Newton step (rad): beyond it the quadratic model of the support
 /// functions of a slender body (aspect 20 turns its radius within 1/20 rad) says nothing.

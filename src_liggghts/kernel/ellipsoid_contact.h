@@ -102,7 +102,7 @@ RelativeCurvature relative_curvature(const EllipsoidShape& i, const EllipsoidSha
 /// The same with a plane.
 RelativeCurvature relative_curvature(const EllipsoidShape& i, const Vector3& normal);
 
-/// Whether an ellipsoid reaches as far as a plane, or nearly (by a share of 1e-12): cheaper than
+/// Whether an ellipsoid reaches as far as a plane, or nearly (by a share of 1e-9): cheaper than
 /// find_plane_contact(), of which most bodies near a wall need no more.
 /// @param[in] semiaxes a, b, c along the body's x, y, z (length), @param[in] orientation unit quaternion
 /// @param[in] normal unit, to the plane, @param[in] distance of the plane from the centre (length)
@@ -110,8 +110,8 @@ inline bool may_touch_plane(const Vector3& semiaxes, const Quaternion& orientati
                             const Vector3& normal, double distance) {
   const Vector3 n = rotation(orientation).to_body(normal);
   const Vector3 reach{semiaxes.x * n.x, semiaxes.y * n.y, semiaxes.z * n.z};
-  constexpr double margin = 1e-12;
-  return dot(reach, reach) >= (1.0 - margin) * distance * distance;
+  constexpr double margin = 1e-9;
+  return !(dot(reach, reach) < (1.0 - margin) * distance * distance);
 }
 
 /// Contact with the plane through `plane_point` (relative to the centre of i) with unit

@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 
 namespace ellipsoid {
 
@@ -21,7 +20,6 @@ struct PlanarStep {
 // What is done per body is little: the numbers of its rows are taken two and four at a time.
 using Two = double __attribute__((vector_size(16), aligned(8), may_alias));
 using Four = double __attribute__((vector_size(32), aligned(8), may_alias));
-using Order = std::int64_t __attribute__((vector_size(32)));
 
 inline Two& two(double* row) { return *reinterpret_cast<Two*>(row); }
 inline const Two& two(const double* row) { return *reinterpret_cast<const Two*>(row); }
@@ -48,18 +46,18 @@ inline Kicked kick(const PlanarRows& p, std::ptrdiff_t k, double half_step) {
 
 /// Sum of the four, in each place.
 inline Four sum(const Four& v) {
-  const Four pairs = v + __builtin_shuffle(v, Order{1, 0, 3, 2});
-  return pairs + __builtin_shuffle(pairs, Order{2, 3, 0, 1});
+  const Four pairs = v + Four{v[1], v[0], v[3], v[2]};
+  return pairs + Four{pairs[2], pairs[3], pairs[0], pairs[1]};
 }
 
 /// Turns a quaternion about the space z axis by twice `half` (rad).
 inline void turn(double* orientation, double half) {
   Four& q = four(orientation);
   const Four t =
-      q + half * Four{-1.0, -1.0, 1.0, 1.0} * __builtin_shuffle(q, Order{3, 2, 1, 0}); // (1 + half z) q
+      q + half * Four{-1.0, -1.0, 1.0, 1.0} * Four{q[3], q[2], q[1], q[0]}; // (1 + half z) q
   const Four excess = sum(t * t) - 1.0;
-  constexpr double small = 1e-3; // (rad) of most steps: then no root and no division is needed,
-  if (std::fabs(half) < small)   // the first term left out, 5/16 excess^3, is far below rounding
+  constexpr double small = 1e-6; // of most steps: then no root and no division is needed, the first
+  if (std::fabs(excess[0]) < small) // term left out, 5/16 excess^3, is far below rounding
     q = t * (1.0 - excess * (0.5 - 0.375 * excess));
   else
     q = t * (1.0 / std::sqrt(1.0 + excess[0]));

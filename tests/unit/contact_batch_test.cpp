@@ -104,6 +104,45 @@ TEST_P(ContactBatchTest, ResultsDoNotDependOnTheCompany) {
   }
 }
 
+// Flat on flat, where the radii of curvature have no first change but a large second one; and overlaps as
+// deep as the radii of curvature, where the Hessian is nearly singular.
+TEST(ContactBatch, IsExactOnFlatSidesAndInDeepOverlap) {
+  const auto worst = [](const Vector3& axes, double overlap, double turn) {
+    const EllipsoidShape shape = make_shape(axes, Quaternion{});
+    const Vector3 distance{0.0, 2.0 * axes.y - overlap, 0.0};
+    ContactBatch batch;
+    batch.add(shape, shape, distance, normalized(Vector3{turn, 1.0, 0.5 * turn}));
+    batch.solve();
+    const ContactGeometry g = batch.geometry(0);
+    EXPECT_EQ(g.status, ContactStatus::touching);
+    EXPECT_NEAR(norm(g.normal), 1.0, 1e-15);
+    EXPECT_NEAR(g.overlap, overlap_along(shape, shape, distance, g.normal), 1e-14 * axes.y);
+    return norm(g.normal - Vector3{0.0, 1.0, 0.0});
+  };
+  for (const double aspect : {1.0, 2.0, 5.0, 20.0, 100.0})
+    for (double turn = 1e-7; turn < 1e-3; turn *= 1.3)
+      EXPECT_LT(worst({aspect, 1.0, aspect}, 1e-4, turn), 1e-12) << aspect << ", " << turn;
+  for (const double aspect : {1.5, 5.0, 20.0}) // tip to tip
+    for (double turn = 1e-7; turn < 1e-3; turn *= 1.3)
+      for (const double share : {0.1, 0.5, 0.9, 0.99})
+        EXPECT_LT(worst({1.0, aspect, 1.0}, share * 2.0 / aspect, turn), 3e-12)
+            << aspect << ", " << turn << ", " << share;
+}
+
+// Spheres with their centres almost at the same place: any direction will do, but a unit vector.
+TEST(ContactBatch, GivesUnitNormalsToCoincidingSpheres) {
+  PairGenerator random(40103);
+  const EllipsoidShape sphere = make_shape({1.0, 1.0, 1.0}, Quaternion{});
+  for (int k = 0; k < 20000; ++k) {
+    const Vector3 direction = random.direction();
+    const Vector3 start = normalized(direction + random.log_uniform(1e-8, 1e-2) * random.direction());
+    ContactBatch batch;
+    batch.add(sphere, sphere, random.log_uniform(1e-14, 1e-4) * direction, start);
+    batch.solve();
+    ASSERT_NEAR(norm(batch.geometry(0).normal), 1.0, 1e-15);
+  }
+}
+
 // A pair across two ranks is computed by both, with i and j swapped: action is reaction to the last bit.
 TEST_P(ContactBatchTest, SwappedPairsHaveTheSameBits) {
   const std::vector<Case> cases = make_cases(GetParam(), 5000);

@@ -121,7 +121,7 @@ TEST_P(FamilyTest, MayTouchPlane) {
     const Vector3 normal = random.direction();
     const double reach = support(b.shape, normal);
     const double distance = reach * (k % 2 == 0 ? random.uniform(0.5, 2.0)
-                                                : 1.0 + random.uniform(-1e-10, 1e-10));
+                                                : 1.0 + random.uniform(-1e-7, 1e-7));
     const bool touches = find_plane_contact(b.shape, distance * normal, normal).status ==
                          ContactStatus::touching;
     const bool may_touch = may_touch_plane(b.semiaxes, b.orientation, normal, distance);
