@@ -116,7 +116,8 @@ int FixNVEEllipsoid::candidate_count() const {
 }
 
 template <class Action> void FixNVEEllipsoid::for_each_atom(Action action) const {
-  for (int i = 0; i < candidate_count(); ++i)
+  const int count = candidate_count();
+  for (int i = 0; i < count; ++i)
     if (atom->mask[i] & groupbit)
       action(i);
 }

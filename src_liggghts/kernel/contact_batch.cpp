@@ -1,7 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "contact_batch.h"
 
-#include "batch_columns.h"
 #include "ellipsoid_overlap.h"
 #include "vector_versions.h"
 
@@ -18,7 +17,8 @@ constexpr int step_limit = 4;
 
 /// Where the search of the pairs stands, from one loop to the next (see batch_columns.h).
 struct Work {
-  enum Value { ix, iy, iz, jx, jy, jz, inverse_i, inverse_j, phi, shift_x, shift_y, shift_z,
+  enum Value { ix, iy, iz, jx, jy, jz, inverse_i, inverse_j, phi,
+               shift_x, shift_y, shift_z, ///< later the normal, or direction, that it leads to
                radii, // 6
                trace = radii + 6, inverse_determinant,
                largest_overlap, ///< below which the pair is solved
@@ -26,7 +26,7 @@ struct Work {
   alignas(64) double of[value_count][ContactBatch::column_length];
 };
 
-/// One pair, from the normal in `from` at `normal_column`.
+/// One pair, from the normal in the columns `normal_column` and the two after it of `normals`.
 template <class Place, class Normals> struct PairSearch {
   using C = Columns;
   using Vector = typename Place::Vector;
@@ -107,18 +107,21 @@ template <class Place, class Normals> struct PairSearch {
     const Vector shift = at.vector(w.of, Work::shift_x);
     const OverlapFunction g = extrapolated(a_i(), a_j(), f, h, shift);
     put(g);
-    at.put(w.of, Work::shift_x, chosen(g.value < w.of[Work::largest_overlap][at.k], g.normal,
-                                       f.normal + shift));
+    at.put(w.of, Work::shift_x, chosen(is_solved(), g.normal, f.normal + shift));
+  }
+
+  /// After extrapolate().
+  bool is_solved() const {
+    return w.of[Work::phi][at.k] < w.of[Work::largest_overlap][at.k];
   }
 
   /// The contact of a pair that is solved; for the others a direction to go on from.
   template <bool is_first> void finish() const {
-    OverlapFunction<Vector> g = overlap_function();
+    const OverlapFunction g = overlap_function();
     const double r_i = c.in[C::product_i][at.k] * g.inverse_support_i * g.inverse_support_i;
     const double r_j = c.in[C::product_j][at.k] * g.inverse_support_j * g.inverse_support_j;
     const double det_sum = tangent_determinant(curvature_radii_sum(a_i(), a_j(), g));
     const bool open = is_first ? true : c.out[C::open][at.k] != 0.0;
-    const bool solved = g.value < w.of[Work::largest_overlap][at.k];
     const auto result = [&](int column, double value) {
       c.out[column][at.k] = open ? value : c.out[column][at.k];
     };
@@ -132,7 +135,7 @@ template <class Place, class Normals> struct PairSearch {
     result(C::radius_i, r_i);
     result(C::radius_j, r_j);
     c.out[C::steps][at.k] = is_first ? 1.0 : c.out[C::steps][at.k] + (open ? 1.0 : 0.0);
-    c.out[C::open][at.k] = open & !solved ? 1.0 : 0.0;
+    c.out[C::open][at.k] = open & !is_solved() ? 1.0 : 0.0;
   }
 
   /// The normal after one Newton step.
@@ -234,14 +237,10 @@ void ContactBatch::solve_open() {
     if (columns_.out[C::open][k] == 0.0)
       continue;
     const ContactGeometry c = search_alone(k);
+    const InSpace at{k};
+    at.put(columns_.out, C::nx, c.normal);
+    at.put(columns_.out, C::px, c.point);
     const auto put = [this, k](int column, double value) { columns_.out[column][k] = value; };
-    const auto put_vector = [&put](int column, const Vector3& v) {
-      put(column, v.x);
-      put(column + 1, v.y);
-      put(column + 2, v.z);
-    };
-    put_vector(C::nx, c.normal);
-    put_vector(C::px, c.point);
     put(C::overlap, c.overlap);
     put(C::reduced_radius, c.reduced_radius);
     put(C::radius_i, c.curvature_radius_i);
@@ -257,9 +256,9 @@ void ContactBatch::find_gaps() {
 
 ContactGeometry ContactBatch::search_alone(int k) const {
   using C = Columns;
-  const auto in = [this, k](int column) { return columns_.in[column][k]; };
-  return find_contact_from({in(C::start_x), in(C::start_y), in(C::start_z)}, *shape_i_[k],
-                           *shape_j_[k], {in(C::dx), in(C::dy), in(C::dz)});
+  const InSpace at{k};
+  return find_contact_from(at.vector(columns_.in, C::start_x), *shape_i_[k], *shape_j_[k],
+                           at.vector(columns_.in, C::dx));
 }
 
 } // namespace ellipsoid

@@ -13,7 +13,7 @@
 // minimum to be the only one. All other pairs (a few in a thousand) go through find_contact_from().
 #pragma once
 
-#include "batch.h"
+#include "batch_columns.h"
 #include "ellipsoid_contact.h"
 
 namespace ellipsoid {
@@ -36,10 +36,7 @@ class ContactBatch : public Batch {
   /// A length by which the bodies of pair k are apart at least, with normal(k) as the proof; not
   /// positive where none was found.
   double gap(int k) const { return -columns_.out[Columns::overlap][k]; }
-  Vector3 normal(int k) const {
-    return {columns_.out[Columns::nx][k], columns_.out[Columns::ny][k],
-            columns_.out[Columns::nz][k]};
-  }
+  Vector3 normal(int k) const { return InSpace{k}.vector(columns_.out, Columns::nx); }
 
   /// What find_contact_from() would say of pair k, to the tolerances of contact_tolerances.h.
   ContactGeometry geometry(int k) const;
@@ -79,27 +76,14 @@ inline void ContactBatch::add(const EllipsoidShape& i, const EllipsoidShape& j,
                               const Vector3& centre_distance, const Vector3& start) {
   using C = Columns;
   const int k = next();
-  const auto put = [this, k](int column, double value) { columns_.in[column][k] = value; };
-  const auto put_vector = [&put](int column, const Vector3& v) {
-    put(column, v.x);
-    put(column + 1, v.y);
-    put(column + 2, v.z);
-  };
-  const auto put_matrix = [&put](int column, const SymmetricMatrix3& a) {
-    put(column, a.xx);
-    put(column + 1, a.yy);
-    put(column + 2, a.zz);
-    put(column + 3, a.xy);
-    put(column + 4, a.xz);
-    put(column + 5, a.yz);
-  };
-  put_matrix(C::axx_i, i.a_matrix);
-  put_matrix(C::axx_j, j.a_matrix);
-  put_vector(C::dx, centre_distance);
-  put(C::product_i, i.axes_product);
-  put(C::product_j, j.axes_product);
-  put(C::safe_overlap, i.smallest_curvature_radius + j.smallest_curvature_radius);
-  put_vector(C::start_x, start);
+  const InSpace at{k};
+  at.put(columns_.in, C::axx_i, i.a_matrix);
+  at.put(columns_.in, C::axx_j, j.a_matrix);
+  at.put(columns_.in, C::dx, centre_distance);
+  columns_.in[C::product_i][k] = i.axes_product;
+  columns_.in[C::product_j][k] = j.axes_product;
+  columns_.in[C::safe_overlap][k] = i.smallest_curvature_radius + j.smallest_curvature_radius;
+  at.put(columns_.in, C::start_x, start);
   shape_i_[k] = &i;
   shape_j_[k] = &j;
 }
@@ -112,8 +96,8 @@ inline ContactGeometry ContactBatch::geometry(int k) const {
   ContactGeometry c;
   c.overlap = out(C::overlap);
   c.status = c.overlap < 0.0 ? ContactStatus::separated : ContactStatus::touching;
-  c.normal = {out(C::nx), out(C::ny), out(C::nz)};
-  c.point = {out(C::px), out(C::py), out(C::pz)};
+  c.normal = normal(k);
+  c.point = InSpace{k}.vector(columns_.out, C::px);
   c.reduced_radius = out(C::reduced_radius);
   c.curvature_radius_i = out(C::radius_i);
   c.curvature_radius_j = out(C::radius_j);

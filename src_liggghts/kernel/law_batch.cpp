@@ -1,7 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "law_batch.h"
 
-#include "batch_columns.h"
 #include "vector_versions.h"
 
 #include <limits>

@@ -95,26 +95,19 @@ class ContactLawBatch : public Batch {
 
 private:
   Columns columns_{};
-
-  void put(int column, int k, const Vector3& v);
 };
 
 // Inline, and number by number, as in contact_batch.h.
-
-inline void ContactLawBatch::put(int column, int k, const Vector3& v) {
-  columns_.in[column][k] = v.x;
-  columns_.in[column + 1][k] = v.y;
-  columns_.in[column + 2][k] = v.z;
-}
 
 inline void ContactLawBatch::add(const ContactPlace& place, const PairMotion& motion,
                                  const LawParameters& parameters, const PairMasses& masses,
                                  const Vector3& spring) {
   using C = Columns;
   const int k = next();
-  put(C::nx, k, place.normal);
-  put(C::lix, k, place.lever_i);
-  put(C::ljx, k, place.lever_j);
+  const InSpace at{k};
+  at.put(columns_.in, C::nx, place.normal);
+  at.put(columns_.in, C::lix, place.lever_i);
+  at.put(columns_.in, C::ljx, place.lever_j);
   columns_.in[C::overlap][k] = place.overlap;
   columns_.in[C::radius][k] = place.reduced_radius;
   move(k, motion, parameters, masses, spring);
@@ -123,9 +116,10 @@ inline void ContactLawBatch::add(const ContactPlace& place, const PairMotion& mo
 inline void ContactLawBatch::move(int k, const PairMotion& motion, const LawParameters& parameters,
                                   const PairMasses& masses, const Vector3& spring) {
   using C = Columns;
-  put(C::vx, k, motion.velocity);
-  put(C::wix, k, motion.omega_i);
-  put(C::wjx, k, motion.omega_j);
+  const InSpace at{k};
+  at.put(columns_.in, C::vx, motion.velocity);
+  at.put(columns_.in, C::wix, motion.omega_i);
+  at.put(columns_.in, C::wjx, motion.omega_j);
   columns_.in[C::modulus][k] = parameters.effective_modulus;
   columns_.in[C::shear_modulus][k] = parameters.effective_shear_modulus;
   columns_.in[C::normal_damping][k] = parameters.normal_damping;
@@ -133,28 +127,23 @@ inline void ContactLawBatch::move(int k, const PairMotion& motion, const LawPara
   columns_.in[C::friction][k] = parameters.friction;
   columns_.in[C::mass_i][k] = masses.i;
   columns_.in[C::mass_j][k] = masses.j;
-  put(C::sx, k, spring);
+  at.put(columns_.in, C::sx, spring);
 }
 
 inline ContactPlace ContactLawBatch::place(int k) const {
   using C = Columns;
-  const auto in = [this, k](int first) {
-    return Vector3{columns_.in[first][k], columns_.in[first + 1][k], columns_.in[first + 2][k]};
-  };
+  const auto in = [this, k](int first) { return InSpace{k}.vector(columns_.in, first); };
   return {in(C::nx), in(C::lix), in(C::ljx), columns_.in[C::overlap][k], columns_.in[C::radius][k]};
 }
 
 inline ContactAction ContactLawBatch::action(int k) const {
   using C = Columns;
-  const auto out = [this, k](int first) {
-    return Vector3{columns_.out[first][k], columns_.out[first + 1][k], columns_.out[first + 2][k]};
-  };
+  const auto out = [this, k](int first) { return InSpace{k}.vector(columns_.out, first); };
   return {out(C::fx), out(C::tix), out(C::tjx), columns_.out[C::normal_force][k]};
 }
 
 inline Vector3 ContactLawBatch::spring(int k) const {
-  using C = Columns;
-  return {columns_.out[C::new_sx][k], columns_.out[C::new_sy][k], columns_.out[C::new_sz][k]};
+  return InSpace{k}.vector(columns_.out, Columns::new_sx);
 }
 
 } // namespace ellipsoid

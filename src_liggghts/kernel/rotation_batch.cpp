@@ -19,9 +19,7 @@ struct Body {
   Quaternion orientation() const {
     return {value(C::qw), value(C::qx), value(C::qy), value(C::qz)};
   }
-  Vector3 vector(int column) const {
-    return {value(column), value(column + 1), value(column + 2)};
-  }
+  Vector3 vector(int column) const { return InSpace{k}.vector(c.values, column); }
   FreeRotation rotation() const { return {orientation(), vector(C::wx)}; }
   Vector3 rate() const { return vector(C::ix); }
   void put(const Quaternion& q, const Vector3& w) const {
@@ -29,9 +27,7 @@ struct Body {
     value(C::qx) = q.x;
     value(C::qy) = q.y;
     value(C::qz) = q.z;
-    value(C::wx) = w.x;
-    value(C::wy) = w.y;
-    value(C::wz) = w.z;
+    InSpace{k}.put(c.values, C::wx, w);
   }
 
   void begin() const {
