@@ -2,7 +2,7 @@
 #include "contacts.h"
 
 #include "cell_grid.h"
-#include "contact_batch.h"
+#include "ellipsoid/contact_batch.h"
 #include "disjoint_sets.h"
 #include "first_look.h"
 

@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "first_look.h"
 
-#include "vector_versions.h"
+#include "vectorised/vector_versions.h"
 
 namespace ellipsoid::post {
 namespace {

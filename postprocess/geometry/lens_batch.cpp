@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "lens_batch.h"
 
-#include "vector_versions.h"
+#include "vectorised/vector_versions.h"
 
 #include <algorithm>
 #include <cmath>

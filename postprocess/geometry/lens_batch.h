@@ -13,7 +13,7 @@
 // instructions.
 #pragma once
 
-#include "batch.h"
+#include "vectorised/batch.h"
 #include "outline_crossings.h"
 
 namespace ellipsoid::post {

@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #pragma once
 
-#include "vector3.h"
+#include "math/vector3.h"
 
 namespace ellipsoid::post {
 

@@ -3,7 +3,7 @@
 
 #include "csv_table.h"
 #include "input_error.h"
-#include "multisphere_template.h"
+#include "multisphere/multisphere_template.h"
 #include "paper_values.h"
 #include "statistics.h"
 

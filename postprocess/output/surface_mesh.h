@@ -3,7 +3,7 @@
 // Triangle surfaces and their files; no library needed.
 #pragma once
 
-#include "vector3.h"
+#include "math/vector3.h"
 
 #include <array>
 #include <string>

@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "template_files.h"
 
-#include "ellipsoid_properties.h"
+#include "ellipsoid/ellipsoid_properties.h"
 
 #include <cmath>
 #include <fmt/format.h>

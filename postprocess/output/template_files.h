@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #pragma once
 
-#include "multisphere_template.h"
+#include "multisphere/multisphere_template.h"
 #include "surface_mesh.h"
 
 #include <string>

@@ -42,7 +42,7 @@ def description(engine):
     build = engine.parent.parent
     return "\n".join([
         f"Machine: {processor()}, {os.cpu_count()} cores; load {os.getloadavg()[0]:.1f} at the start",
-        f"Compiler of the kernel: {compile_command(build, 'kernel/multisphere_contact.cpp')}",
+        f"Compiler of the kernel: {compile_command(build, 'kernel/multisphere/multisphere_contact.cpp')}",
         f"Compiler of the engine: {compile_command(build, 'pair_gran_ellipsoid.cpp')}",
         f"Source: {output_of('git', '-C', str(SOURCE), 'describe', '--always', '--dirty')}; all shapes run "
         "in the same engine: spheres, superquadrics and rigid bodies are the host's unchanged styles in it"])

@@ -198,7 +198,7 @@ def main():
         raise SystemExit("ELLIPSOID_SOURCE is not set; set it to the root of the repository")
     folder = pathlib.Path(os.environ["ELLIPSOID_SOURCE"]) / "src_liggghts"
     sources = {str(f.relative_to(folder)): f.read_text() for f in sorted(folder.rglob("*"))
-               if f.suffix in (".h", ".cpp") and f.parent.name in ("src_liggghts", "kernel")}
+               if f.suffix in (".h", ".cpp") and "doc" not in f.parts}
     pages = {f.name: f.read_text() for f in (folder / "doc").glob("*.md")}
     complaints = check(sources, pages)
     if not complaints:

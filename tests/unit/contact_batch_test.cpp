@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Contacts searched in batches against the search of single pairs.
-#include "contact_batch.h"
+#include "ellipsoid/contact_batch.h"
 #include "contact_families.h"
 
 #include <gtest/gtest.h>

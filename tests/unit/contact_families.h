@@ -3,7 +3,7 @@
 // Random pairs of ellipsoids for the kernel's tests. Every seed is fixed.
 #pragma once
 
-#include "ellipsoid_contact.h"
+#include "ellipsoid/ellipsoid_contact.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Eqs. (18), (23), (24) as functions of plain values.
-#include "contact_law.h"
+#include "law/contact_law.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Random numbers that depend on (seed, particle, draw) alone: reproducible, uniform, independent.
-#include "counter_random.h"
+#include "insertion/counter_random.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // Contact with a cylinder from inside and outside: brute force over the surface, closed forms, the
 // limit of a plane, derivatives, and the two tips of a long body.
 #include "contact_families.h"
-#include "cylinder_contact.h"
+#include "wall/cylinder_contact.h"
 
 #include <gtest/gtest.h>
 

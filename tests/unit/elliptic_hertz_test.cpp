@@ -2,9 +2,9 @@
 //
 // Elliptic Hertz contact against numerical integration, a printed table and the sphere, and the
 // relative curvatures of ellipsoids against gaps measured between their surfaces.
-#include "elliptic_hertz.h"
+#include "ellipsoid/elliptic_hertz.h"
 
-#include "ellipsoid_contact.h"
+#include "ellipsoid/ellipsoid_contact.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 //
 // Gear's predictor-corrector: exact for polynomials, order of convergence against closed forms and
 // against a second integrator, derivatives at the start.
-#include "gear_predictor_corrector.h"
+#include "motion/gear_predictor_corrector.h"
 
 #include <gtest/gtest.h>
 

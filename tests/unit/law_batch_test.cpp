@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // The contact law in batches against the functions of contact_law.h, contact by contact: the same bits.
-#include "law_batch.h"
+#include "law/law_batch.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // Which contacts with a wall of many triangles count: seams, ridges, grooves, boxes, against planes and
 // the closed form of wedges, for ellipsoids and chains of spheres.
 #include "contact_families.h"
-#include "mesh_contact.h"
+#include "wall/mesh_contact.h"
 
 #include <gtest/gtest.h>
 

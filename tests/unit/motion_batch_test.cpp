@@ -1,10 +1,10 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Motions of surfaces against the surfaces themselves.
-#include "motion_batch.h"
+#include "multisphere/motion_batch.h"
 
-#include "ellipsoid_contact.h"
-#include "multisphere_watch.h"
+#include "ellipsoid/ellipsoid_contact.h"
+#include "multisphere/multisphere_watch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Deadlines of motion clocks against the motion itself.
-#include "motion_clocks.h"
+#include "separation/motion_clocks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#include "multisphere_contact.h"
+#include "multisphere/multisphere_contact.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#include "multisphere_template.h"
+#include "multisphere/multisphere_template.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#include "multisphere_watch.h"
+#include "multisphere/multisphere_watch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Steps of many bodies in the plane against the formulas, body by body.
-#include "planar_motion.h"
+#include "motion/planar_motion.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "cell_grid.h"
 #include "coordination.h"
 #include "disjoint_sets.h"
-#include "ellipsoid_contact.h"
+#include "ellipsoid/ellipsoid_contact.h"
 #include "porosity.h"
 #include "repose.h"
 

@@ -3,7 +3,7 @@
 // Exact plane geometry of outlines against closed forms and brute force.
 #include "envelope.h"
 #include "lens_batch.h"
-#include "multisphere_template.h"
+#include "multisphere/multisphere_template.h"
 #include "union_area.h"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Free rotation: order, invariants, reversibility, and the limits with a closed form.
-#include "planar_motion.h"
-#include "rigid_body.h"
+#include "motion/planar_motion.h"
+#include "motion/rigid_body.h"
 
 #include <gtest/gtest.h>
 

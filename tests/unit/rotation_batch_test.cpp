@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Bodies turned in batches against bodies turned one by one: the same bits.
-#include "rotation_batch.h"
+#include "motion/rotation_batch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Shapes made together against shapes made one by one: the same bits.
-#include "shape_batch.h"
+#include "ellipsoid/shape_batch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Random factors of the semi-axes: bounds, moments and distribution functions.
-#include "counter_random.h"
-#include "size_distribution.h"
+#include "insertion/counter_random.h"
+#include "insertion/size_distribution.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Sleeping pairs against a list of all pairs that is asked in every step.
-#include "sleeping_pairs.h"
+#include "separation/sleeping_pairs.h"
 
 #include <gtest/gtest.h>
 

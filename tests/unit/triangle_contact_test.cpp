@@ -3,8 +3,8 @@
 // Contact with one triangle, against poses with a known answer, brute force, closed forms of the
 // sphere, and invariances.
 #include "contact_families.h"
-#include "ellipsoid_overlap.h"
-#include "triangle_contact.h"
+#include "ellipsoid/ellipsoid_overlap.h"
+#include "wall/triangle_contact.h"
 
 #include <gtest/gtest.h>
 

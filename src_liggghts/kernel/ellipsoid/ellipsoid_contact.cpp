@@ -1,0 +1,269 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "ellipsoid/ellipsoid_contact.h"
+
+#include "ellipsoid/ellipsoid_overlap.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace ellipsoid {
+
+namespace {
+
+/// Symmetric 2x2 matrix in a tangent plane.
+struct TangentMatrix {
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+  double trace() const { return xx + yy; }
+  double determinant() const { return xx * yy - xy * xy; }
+};
+
+/// Curvatures W^-1 of one body at the surface point with this normal, in the tangent frame.
+TangentMatrix curvatures(const EllipsoidShape& shape, const Vector3& normal,
+                         const TangentFrame& t) {
+  const double s = support(shape, normal);
+  const Vector3 point = (1.0 / s) * (shape.a_matrix * normal);
+  const double p1 = dot(t.first, point), p2 = dot(t.second, point);
+  const Vector3 a_first = shape.a_matrix * t.first, a_second = shape.a_matrix * t.second;
+  const TangentMatrix w{(dot(t.first, a_first) - p1 * p1) / s,
+                        (dot(t.first, a_second) - p1 * p2) / s,
+                        (dot(t.second, a_second) - p2 * p2) / s};
+  const double root = s * s / shape.axes_product, inverse = root * root; // 1 / det W
+  return {inverse * w.yy, -inverse * w.xy, inverse * w.xx};
+}
+
+/// Half the eigenvalues: the gap is half the quadratic form of the curvatures.
+RelativeCurvature principal(const TangentMatrix& c) {
+  const double mean = 0.5 * c.trace();
+  const double larger = mean + std::hypot(0.5 * (c.xx - c.yy), c.xy);
+  return {0.5 * c.determinant() / larger, 0.5 * larger};
+}
+
+/// A step in the tangent plane.
+struct TangentStep {
+  Vector3 shift;               // of the normal (rad)
+  double length = 0.0;         // of the shift (rad)
+  double slope = 0.0;          // derivative of phi along the step (length)
+  double predicted_error = 0.; // of the normal after the step, if the step is a Newton step (rad)
+  bool newton = false;         // the Hessian was positive definite and the step not shortened
+};
+
+/// Shift that makes the Hessian safely positive definite, 0 where it already is.
+double convexity_shift(const OverlapHessian<SymmetricMatrix3>& h) {
+  const double mean = 0.5 * h.trace;
+  const double radius = std::sqrt(std::max(0.0, mean * mean - h.determinant));
+  const double smallest = mean - radius, scale = std::fabs(mean) + radius;
+  if (smallest > tolerance::convexity * scale)
+    return 0.0;
+  return std::fabs(smallest) - smallest + 0.1 * scale;
+}
+
+/// Newton step of phi on the sphere; a shifted (still descending) one where phi is not convex.
+TangentStep newton_step(const OverlapFunction<Vector3>& f, const SymmetricMatrix3& radii) {
+  const double shift = convexity_shift(OverlapHessian(radii, f.value));
+  const OverlapHessian h(radii, f.value - shift);
+  TangentStep step;
+  step.shift = h.newton_shift(f);
+  step.length = norm(step.shift);
+  step.newton = shift == 0.0 && step.length <= tolerance::largest_step;
+  if (step.length > tolerance::largest_step) {
+    step.shift *= tolerance::largest_step / step.length;
+    step.length = tolerance::largest_step;
+  }
+  step.slope = dot(f.tangential_gradient(), step.shift);
+  step.predicted_error =
+      h.trace * h.trace * h.inverse_determinant * f.radius_change_rate() * step.length * step.length;
+  return step;
+}
+
+/// Walks along the step, halving it until phi falls enough. Returns false at a dead end
+/// (then rounding hides any decrease: f is as good as it gets).
+bool line_search(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& centre_distance,
+                 const TangentStep& step, OverlapFunction<Vector3>& f) {
+  double share = 1.0;
+  for (int halving = 0; halving < tolerance::halving_limit; ++halving, share *= 0.5) {
+    const Vector3 n = normalized(f.normal + share * step.shift);
+    const OverlapFunction trial(i.a_matrix, j.a_matrix, centre_distance, n);
+    if (trial.value <=
+        f.value + tolerance::sufficient_decrease * share * step.slope + f.noise()) {
+      f = trial;
+      return true;
+    }
+  }
+  return false;
+}
+
+/// @param[in] det_sum det(W_i + W_j) at the contact (length^2)
+ContactGeometry assemble(const EllipsoidShape& i, const EllipsoidShape& j,
+                         const Vector3& centre_distance, const OverlapFunction<Vector3>& f, double det_sum,
+                         ContactStatus status, int iterations) {
+  ContactGeometry c;
+  c.status = status;
+  c.normal = f.normal;
+  c.overlap = f.value;
+  c.iterations = iterations;
+  c.point = 0.5 * (f.support_point_i + centre_distance - f.support_point_j);
+  // sqrt(det W) = a b c / s^2: the inverse of the Gaussian curvature's root
+  c.curvature_radius_i = i.axes_product * f.inverse_support_i * f.inverse_support_i;
+  c.curvature_radius_j = j.axes_product * f.inverse_support_j * f.inverse_support_j;
+  // Markauskas et al. 2010, eq. 19: 1 / (2 sqrt(A B)), with 4 A B = det(W_i^-1 + W_j^-1)
+  c.reduced_radius = c.curvature_radius_i * c.curvature_radius_j / std::sqrt(det_sum);
+  return c;
+}
+
+/// Local search from one normal; the result is a minimum of phi, or a proof of separation.
+ContactGeometry descend(const Vector3& start, const EllipsoidShape& i, const EllipsoidShape& j,
+                        const Vector3& centre_distance, const SearchOptions& options) {
+  OverlapFunction f(i.a_matrix, j.a_matrix, centre_distance, start);
+  const auto finish = [&](const OverlapFunction<Vector3>& at, ContactStatus otherwise, int iterations) {
+    return assemble(i, j, centre_distance, at,
+                    tangent_determinant(curvature_radii_sum(i.a_matrix, j.a_matrix, at)),
+                    at.value < 0.0 ? ContactStatus::separated : otherwise, iterations);
+  };
+  for (int iteration = 0; iteration < options.newton_limit; ++iteration) {
+    if (options.goal == SearchGoal::contact && f.value < 0.0)
+      return finish(f, ContactStatus::separated, iteration);
+    const SymmetricMatrix3 radii = curvature_radii_sum(i.a_matrix, j.a_matrix, f);
+    const TangentStep step = newton_step(f, radii);
+    const bool last = step.newton && step.predicted_error <= tolerance::normal_error;
+    if (last && step.length <= tolerance::extrapolated_step)
+      return finish(extrapolated(i.a_matrix, j.a_matrix, f, OverlapHessian(radii, f.value),
+                                 step.shift),
+                    ContactStatus::touching, iteration + 1);
+    const bool moved = line_search(i, j, centre_distance, step, f);
+    if (last || !moved)
+      return finish(f, ContactStatus::touching, iteration + 1);
+  }
+  return finish(f, ContactStatus::not_converged, options.newton_limit);
+}
+
+/// G^-1 d up to a positive factor, G = (1 - lambda) A_i + lambda A_j.
+Vector3 solve_direction(const SymmetricMatrix3& g, const Vector3& d) {
+  const SymmetricMatrix3 adjugate{g.yy * g.zz - g.yz * g.yz, g.xx * g.zz - g.xz * g.xz,
+                                  g.xx * g.yy - g.xy * g.xy, g.xz * g.yz - g.xy * g.zz,
+                                  g.xy * g.yz - g.xz * g.yy, g.xy * g.xz - g.yz * g.xx};
+  return adjugate * d;
+}
+
+/// Normal at which both bodies, scaled about their centres by one common factor, just touch
+/// (Perram and Wertheim 1985, J. Comput. Phys. 58, 409): the maximum over lambda of
+/// lambda (1 - lambda) d^T G^-1 d, which is concave. Its derivative has the sign of
+/// (1 - lambda) s_i - lambda s_j at n ~ G^-1 d. The sign of phi at that normal tells whether
+/// the bodies touch at all, whatever their shapes.
+Vector3 first_normal(const EllipsoidShape& i, const EllipsoidShape& j,
+                     const Vector3& centre_distance) {
+  const double length = norm(centre_distance);
+  if (!(length > 0.0))
+    return {1.0, 0.0, 0.0};
+  const Vector3 d = (1.0 / length) * centre_distance;
+  double low = 0.0, high = 1.0, lambda = 0.5;
+  Vector3 n = d;
+  for (int k = 0; k < tolerance::bracket_limit && high - low > tolerance::bracket_width; ++k) {
+    const Vector3 y = solve_direction((1.0 - lambda) * i.a_matrix + lambda * j.a_matrix, d);
+    n = normalized(y);
+    const double s_i = support(i, n), s_j = support(j, n);
+    if (s_i + s_j < dot(n, centre_distance))
+      return n;
+    ((1.0 - lambda) * s_i > lambda * s_j ? low : high) = lambda;
+    const double fixed_point = s_i / (s_i + s_j);
+    if (std::fabs(fixed_point - lambda) <= tolerance::bracket_width)
+      return n;
+    const bool inside = fixed_point > low && fixed_point < high;
+    lambda = inside && k % 3 != 2 ? fixed_point : 0.5 * (low + high);
+  }
+  return n;
+}
+
+constexpr int sample_count = 64, best_count = 8;
+
+/// Unit vectors spread evenly over the sphere (golden-angle spiral).
+std::array<Vector3, sample_count> spiral_directions() {
+  std::array<Vector3, sample_count> directions;
+  const double golden_angle = M_PI * (3.0 - std::sqrt(5.0));
+  for (int k = 0; k < sample_count; ++k) {
+    const double z = 1.0 - (2.0 * k + 1.0) / sample_count, r = std::sqrt(1.0 - z * z);
+    directions[static_cast<std::size_t>(k)] = {r * std::cos(k * golden_angle),
+                                               r * std::sin(k * golden_angle), z};
+  }
+  return directions;
+}
+
+/// A minimum of phi not deeper than the smallest radius of curvature of the Minkowski sum is the
+/// only one below that depth: a ball of that radius rolls freely inside the sum (Blaschke).
+bool is_certainly_global(const ContactGeometry& c, const EllipsoidShape& i,
+                         const EllipsoidShape& j) {
+  return c.overlap <= i.smallest_curvature_radius + j.smallest_curvature_radius;
+}
+
+/// Deep overlap of slender bodies, where phi may have several minima: descends from the best of
+/// many normals and keeps the lowest result.
+ContactGeometry search_deep(ContactGeometry best, const EllipsoidShape& i, const EllipsoidShape& j,
+                            const Vector3& centre_distance, const SearchOptions& options) {
+  static const std::array<Vector3, sample_count> directions = spiral_directions();
+  std::array<std::pair<double, int>, sample_count> ranking;
+  for (int k = 0; k < sample_count; ++k) {
+    const auto index = static_cast<std::size_t>(k);
+    ranking[index] = {overlap_along(i, j, centre_distance, directions[index]), k};
+  }
+  std::partial_sort(ranking.begin(), ranking.begin() + best_count, ranking.end());
+  for (int k = 0; k < best_count; ++k) {
+    const int direction = ranking[static_cast<std::size_t>(k)].second;
+    const ContactGeometry c = descend(directions[static_cast<std::size_t>(direction)], i, j,
+                                      centre_distance, options);
+    if (c.status == ContactStatus::separated)
+      return c;
+    if (c.status == ContactStatus::touching &&
+        (best.status != ContactStatus::touching || c.overlap < best.overlap))
+      best = c;
+  }
+  return best;
+}
+
+ContactGeometry certify(const ContactGeometry& c, const EllipsoidShape& i, const EllipsoidShape& j,
+                        const Vector3& centre_distance, const SearchOptions& options) {
+  const bool settled = c.status == ContactStatus::separated ||
+                       (c.status == ContactStatus::touching && is_certainly_global(c, i, j));
+  return settled ? c : search_deep(c, i, j, centre_distance, options);
+}
+
+} // namespace
+
+ContactGeometry find_contact(const EllipsoidShape& i, const EllipsoidShape& j,
+                             const Vector3& centre_distance, const SearchOptions& options) {
+  return find_contact_from(first_normal(i, j, centre_distance), i, j, centre_distance, options);
+}
+
+ContactGeometry find_contact_from(const Vector3& normal_guess, const EllipsoidShape& i,
+                                  const EllipsoidShape& j, const Vector3& centre_distance,
+                                  const SearchOptions& options) {
+  return certify(descend(normal_guess, i, j, centre_distance, options), i, j, centre_distance,
+                 options);
+}
+
+RelativeCurvature relative_curvature(const EllipsoidShape& i, const EllipsoidShape& j,
+                                     const Vector3& normal) {
+  const TangentFrame t(normal);
+  const TangentMatrix c_i = curvatures(i, normal, t), c_j = curvatures(j, normal, t);
+  return principal({c_i.xx + c_j.xx, c_i.xy + c_j.xy, c_i.yy + c_j.yy});
+}
+
+RelativeCurvature relative_curvature(const EllipsoidShape& i, const Vector3& normal) {
+  return principal(curvatures(i, normal, TangentFrame(normal)));
+}
+
+ContactGeometry find_plane_contact(const EllipsoidShape& i, const Vector3& plane_point,
+                                   const Vector3& plane_normal) {
+  const Vector3 a_n = i.a_matrix * plane_normal;
+  const double s = std::sqrt(dot(plane_normal, a_n));
+  ContactGeometry c;
+  c.normal = plane_normal;
+  c.overlap = s - dot(plane_normal, plane_point);
+  c.status = c.overlap < 0.0 ? ContactStatus::separated : ContactStatus::touching;
+  c.point = (1.0 / s) * a_n - (0.5 * c.overlap) * plane_normal;
+  c.curvature_radius_i = i.axes_product / (s * s);
+  c.curvature_radius_j = std::numeric_limits<double>::infinity();
+  c.reduced_radius = c.curvature_radius_i; // (19) with a flat partner
+  return c;
+}
+
+} // namespace ellipsoid

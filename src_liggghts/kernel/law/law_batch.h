@@ -1,0 +1,149 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// The contact law (23), (24) of Markauskas et al. 2010 for many contacts at once: the functions of
+// contact_law.h in a loop that the compiler turns into vector instructions. Every contact gets the
+// same operations in the same order whatever the width of the vectors.
+//
+// Sign conventions are those of contact_law.h: the unit normal points from j to i, forces act on i.
+#pragma once
+
+#include "ellipsoid/contact_batch.h"
+#include "law/contact_law.h"
+
+namespace ellipsoid {
+
+/// Where two bodies touch.
+struct ContactPlace {
+  Vector3 normal;           ///< unit, from j to i
+  Vector3 lever_i, lever_j; ///< contact point relative to the centres of i and j (length)
+  double overlap;           ///< h >= 0 (length)
+  double reduced_radius;    ///< R of (19), (20) (length)
+};
+
+/// How the two bodies move.
+struct PairMotion {
+  Vector3 velocity;         ///< of the centre of i relative to that of j (length/time)
+  Vector3 omega_i, omega_j; ///< angular velocities (rad/time)
+};
+
+/// Material of a contact.
+struct LawParameters {
+  double effective_modulus;       ///< E* (pressure)
+  double effective_shear_modulus; ///< G* (pressure)
+  double normal_damping;          ///< eta_n (1/time)
+  double tangential_damping;      ///< eta_t (1/time)
+  double friction;                ///< mu
+};
+
+/// Masses of the two bodies; m_ij = m_i m_j / (m_i + m_j).
+struct PairMasses {
+  double i, j;
+  /// One body of this mass, the other cannot move: m_ij = mass.
+  static PairMasses one_held(double mass) { return {2.0 * mass, 2.0 * mass}; }
+  double effective() const { return i * j / (i + j); }
+};
+
+/// What a contact does to the two bodies.
+struct ContactAction {
+  Vector3 force;              ///< on i; the reaction acts on j (force)
+  Vector3 torque_i, torque_j; ///< about the centres (force length)
+  double normal_force;        ///< F_n (23) (force)
+};
+
+/// What all contacts of a time step have in common.
+struct LawPass {
+  double time_step;      ///< by which springs grow (time)
+  bool advances_springs; ///< false: springs stay as they are unless friction shortens them
+  bool no_attraction;    ///< a normal force that pulls counts as 0
+};
+
+class ContactLawBatch : public Batch {
+ public:
+  /// @param[in] spring accumulated tangential displacement of the last step (length)
+  void add(const ContactPlace& place, const PairMotion& motion, const LawParameters& parameters,
+           const PairMasses& masses, const Vector3& spring);
+
+  /// Instead of add(): as many contacts as the batch has pairs, at the places that it found. Each of them
+  /// then needs move(); what becomes of a pair that is apart means nothing.
+  void take_places(const ContactBatch& pairs);
+  void move(int k, const PairMotion& motion, const LawParameters& parameters,
+            const PairMasses& masses, const Vector3& spring);
+
+  void solve(const LawPass& pass);
+
+  /// Whether all forces, after solve(), lie along x and y and all torques along z.
+  bool are_in_plane() const { return columns_.are_in_plane; }
+  /// As it was added.
+  ContactPlace place(int k) const;
+  /// Of contact k, after solve().
+  ContactAction action(int k) const;
+  /// Its spring, grown by (18) and shortened to what friction bears (length).
+  Vector3 spring(int k) const;
+
+  /// Columns of numbers, one per contact.
+  struct Columns {
+    enum Input { nx, ny, nz, lix, liy, liz, ljx, ljy, ljz, overlap, radius, vx, vy, vz, wix, wiy, wiz,
+                 wjx, wjy, wjz, modulus, shear_modulus, normal_damping, tangential_damping, friction,
+                 mass_i, mass_j, sx, sy, sz, input_count };
+    enum Result { fx, fy, fz, tix, tiy, tiz, tjx, tjy, tjz, normal_force, new_sx, new_sy, new_sz,
+                  result_count };
+    alignas(64) double in[input_count][column_length];
+    alignas(64) double out[result_count][column_length];
+    LawPass pass{};
+    bool are_in_plane = false; ///< all contacts, and so forces along x and y and torques along z
+  };
+
+private:
+  Columns columns_{};
+};
+
+// Inline, and number by number, as in contact_batch.h.
+
+inline void ContactLawBatch::add(const ContactPlace& place, const PairMotion& motion,
+                                 const LawParameters& parameters, const PairMasses& masses,
+                                 const Vector3& spring) {
+  using C = Columns;
+  const int k = next();
+  const InSpace at{k};
+  at.put(columns_.in, C::nx, place.normal);
+  at.put(columns_.in, C::lix, place.lever_i);
+  at.put(columns_.in, C::ljx, place.lever_j);
+  columns_.in[C::overlap][k] = place.overlap;
+  columns_.in[C::radius][k] = place.reduced_radius;
+  move(k, motion, parameters, masses, spring);
+}
+
+inline void ContactLawBatch::move(int k, const PairMotion& motion, const LawParameters& parameters,
+                                  const PairMasses& masses, const Vector3& spring) {
+  using C = Columns;
+  const InSpace at{k};
+  at.put(columns_.in, C::vx, motion.velocity);
+  at.put(columns_.in, C::wix, motion.omega_i);
+  at.put(columns_.in, C::wjx, motion.omega_j);
+  columns_.in[C::modulus][k] = parameters.effective_modulus;
+  columns_.in[C::shear_modulus][k] = parameters.effective_shear_modulus;
+  columns_.in[C::normal_damping][k] = parameters.normal_damping;
+  columns_.in[C::tangential_damping][k] = parameters.tangential_damping;
+  columns_.in[C::friction][k] = parameters.friction;
+  columns_.in[C::mass_i][k] = masses.i;
+  columns_.in[C::mass_j][k] = masses.j;
+  at.put(columns_.in, C::sx, spring);
+}
+
+inline ContactPlace ContactLawBatch::place(int k) const {
+  using C = Columns;
+  const auto in = [this, k](int first) { return InSpace{k}.vector(columns_.in, first); };
+  return {in(C::nx), in(C::lix), in(C::ljx), columns_.in[C::overlap][k], columns_.in[C::radius][k]};
+}
+
+inline ContactAction ContactLawBatch::action(int k) const {
+  using C = Columns;
+  const auto out = [this, k](int first) { return InSpace{k}.vector(columns_.out, first); };
+  return {out(C::fx), out(C::tix), out(C::tjx), columns_.out[C::normal_force][k]};
+}
+
+inline Vector3 ContactLawBatch::spring(int k) const {
+  return InSpace{k}.vector(columns_.out, Columns::new_sx);
+}
+
+} // namespace ellipsoid

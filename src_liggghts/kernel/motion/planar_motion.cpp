@@ -1,0 +1,111 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "motion/planar_motion.h"
+
+#include "vectorised/vector_versions.h"
+
+#pragma GCC diagnostic ignored "-Wpsabi" // the functions with wide vectors are inline
+
+#include <cmath>
+#include <cstddef>
+
+namespace ellipsoid {
+
+namespace {
+
+struct PlanarStep {
+  PlanarRows rows;
+  double time_step, half_step;
+};
+
+// What is done per body is little: the numbers of its rows are taken two and four at a time.
+using Two = double __attribute__((vector_size(16), aligned(8), may_alias));
+using Four = double __attribute__((vector_size(32), aligned(8), may_alias));
+
+inline Two& two(double* row) { return *reinterpret_cast<Two*>(row); }
+inline const Two& two(const double* row) { return *reinterpret_cast<const Two*>(row); }
+inline Four& four(double* row) { return *reinterpret_cast<Four*>(row); }
+
+struct Kicked {
+  Two velocity;
+  double rate;
+};
+
+/// Half a step of force and torque. Velocities out of the plane become 0: they would bring forces.
+inline Kicked kick(const PlanarRows& p, std::ptrdiff_t k, double half_step) {
+  const double scale = half_step / p.masses[k];
+  const Two velocity = two(p.velocities + 3 * k) + scale * two(p.forces + 3 * k);
+  const double momentum = p.momenta[3 * k + 2] + half_step * p.torques[3 * k + 2];
+  const double rate = momentum * p.inverse_inertia[k];
+  two(p.velocities + 3 * k) = velocity;
+  p.velocities[3 * k + 2] = 0.0;
+  p.momenta[3 * k + 2] = momentum;
+  two(p.omega + 3 * k) = Two{0.0, 0.0};
+  p.omega[3 * k + 2] = rate;
+  return {velocity, rate};
+}
+
+/// Sum of the four, in each place.
+inline Four sum(const Four& v) {
+  const Four pairs = v + Four{v[1], v[0], v[3], v[2]};
+  return pairs + Four{pairs[2], pairs[3], pairs[0], pairs[1]};
+}
+
+/// Turns a quaternion about the space z axis by twice `half` (rad).
+inline void turn(double* orientation, double half) {
+  Four& q = four(orientation);
+  const Four t =
+      q + half * Four{-1.0, -1.0, 1.0, 1.0} * Four{q[3], q[2], q[1], q[0]}; // (1 + half z) q
+  const Four excess = sum(t * t) - 1.0;
+  constexpr double small = 1e-6; // of most steps: then no root and no division is needed, the first
+  if (std::fabs(excess[0]) < small) // term left out, 5/16 excess^3, is far below rounding
+    q = t * (1.0 - excess * (0.5 - 0.375 * excess));
+  else
+    q = t * (1.0 / std::sqrt(1.0 + excess[0]));
+}
+
+inline void start_loop(PlanarStep& s, int count) {
+  const PlanarRows p = s.rows;
+  const double time_step = s.time_step, half_step = s.half_step;
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
+    if (!(p.groups[k] & p.group))
+      continue;
+    const Kicked kicked = kick(p, k, half_step);
+    two(p.centres + 3 * k) += time_step * kicked.velocity;
+    turn(p.orientations + 4 * k, 0.5 * time_step * kicked.rate);
+  }
+}
+inline void end_loop(PlanarStep& s, int count) {
+  const PlanarRows p = s.rows;
+  const double half_step = s.half_step;
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
+    if (!(p.groups[k] & p.group))
+      continue;
+    kick(p, k, half_step);
+    p.forces[3 * k + 2] = 0.0;
+    two(p.torques + 3 * k) = Two{0.0, 0.0};
+    two(p.momenta + 3 * k) = Two{0.0, 0.0};
+  }
+}
+
+ELLIPSOID_VECTOR_VERSIONS(start, PlanarStep)
+ELLIPSOID_VECTOR_VERSIONS(end, PlanarStep)
+
+} // namespace
+
+void start_planar_step(const PlanarRows& rows, int count, double time_step, double half_step) {
+  PlanarStep step{rows, time_step, half_step};
+  start(step, count);
+}
+
+void end_planar_step(const PlanarRows& rows, int count, double half_step) {
+  PlanarStep step{rows, 0.0, half_step};
+  end(step, count);
+}
+
+Quaternion rotate_about_z(const Quaternion& q, double angle) {
+  double row[4] = {q.w, q.x, q.y, q.z};
+  turn(row, 0.5 * angle);
+  return {row[0], row[1], row[2], row[3]};
+}
+
+} // namespace ellipsoid

@@ -1,0 +1,52 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// What the surfaces of many particles did in a step, from where they are and where they were.
+//
+// In a step a particle is displaced with its centre, and turns by the angle between its two orientations,
+// whatever moved it. What counts is how far it reaches in a direction: when it turns by an angle, that
+// changes by at most the angle times the difference of the largest and the smallest semi-axis.
+#pragma once
+
+#include "separation/motion_clocks.h"
+#include "multisphere/multisphere_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ellipsoid {
+
+/// Largest |dh/d angle| of the support function h = sqrt(a^2 cos^2 + c^2 sin^2): a - c (length).
+inline double turning_radius(double a, double b, double c) {
+  return std::max(std::max(a, b), c) - std::min(std::min(a, b), c);
+}
+
+/// Upper bound of the angle between two orientations (rad), from the distance of their unit
+/// quaternions, 2 sin(angle / 4): 4 asin(d / 2) <= 2.05 d up to d = 0.5, <= pi d always.
+inline double largest_angle(double quaternion_distance) {
+  constexpr double half_turn = 3.14159265358979323846;
+  return (quaternion_distance < 0.5 ? 2.05 : half_turn) * quaternion_distance;
+}
+
+/// Rows of numbers, one row per particle.
+struct PoseRows {
+  const double* turning_radii; ///< (length)
+  const double* centres;       ///< 3 each (length)
+  const double* orientations;  ///< 4 each: unit quaternion
+  double* last_centres;        ///< a step ago; become `centres`
+  double* last_orientations;   ///< a step ago; become `orientations`
+};
+
+/// @param[in,out] motions of `motions.count` particles
+void take_motions(const PoseRows& poses, Motions& motions);
+
+/// The same of chains of spheres: motion() of each (multisphere_watch.h).
+struct ChainRows {
+  const double* semiaxes;     ///< 3 each: the second is the chain's scale (length)
+  const double* centres;      ///< 3 each (length)
+  const double* orientations; ///< 4 each: unit quaternion
+  double* last_centres;       ///< a step ago; become `centres`
+  ChainPose* poses;           ///< a step ago; become those of now
+};
+void take_motions(const ChainRows& chains, Motions& motions);
+
+} // namespace ellipsoid

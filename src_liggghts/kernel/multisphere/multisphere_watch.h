@@ -1,0 +1,106 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Which pairs of spheres of two neighbouring chains have to be tested in a time step.
+//
+// A search (multisphere_contact.h) finds all pairs of spheres closer than a gap. Until both bodies may
+// have come closer by that much (motion_clocks.h), no other pair of spheres can touch, and a pair of
+// chains without such spheres needs no look at all. The proof is exact, and what touches does not
+// depend on when the last search was.
+#pragma once
+
+#include "separation/motion_clocks.h"
+#include "multisphere/multisphere_contact.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace ellipsoid {
+
+/// Motion of a body in a step.
+/// @param[in] displacement of its centre (length)
+inline Motion motion(const ChainPose& before, const ChainPose& after, const Vector3& displacement) {
+  const SphereChain& chain = *after.chain;
+  const double grown = std::fabs(after.scale - before.scale);
+  return {displacement, after.scale * chain.half_length() * norm(after.axis - before.axis) +
+                            grown * (chain.half_length() + chain.largest_radius())};
+}
+
+class ContactWatch {
+ public:
+  /// One pair of spheres to test.
+  struct SpherePair {
+    double centre_i, centre_j, radius_i, radius_j; ///< in lengths of the chains
+    short sphere_i, sphere_j;
+    short slot; ///< of its history; -1: none (the caller's)
+  };
+
+  /// Gaps are good to search_rounding: a gap is used up to this share.
+  static constexpr double usable_share = 1.0 - 1e-6;
+  /// Where no spheres have to be tested a search looks so many times farther: the pair of chains rests
+  /// until the nearest of them could touch.
+  static constexpr double second_reach = 4.0;
+
+  /// Forgets everything; `pairs` pairs of chains, all of them due.
+  void restart(std::size_t pairs);
+
+  /// Whether a pair of chains must be searched again.
+  /// @param[in] time_i, time_j of the clocks of its bodies
+  bool is_due(std::size_t pair, double time_i, double time_j) const {
+    const Watched& watched = watched_[pair];
+    return !(time_i < watched.until.i && time_j < watched.until.j);
+  }
+  /// Until then the pair is not due.
+  void set_deadlines(std::size_t pair, const MotionClocks::Deadlines& until) {
+    watched_[pair].until = until;
+  }
+  /// Whether the last search found no spheres to test.
+  bool is_empty(std::size_t pair) const { return watched_[pair].count == 0; }
+
+  struct Search {
+    double gap; ///< until the bodies are closer by so much no other spheres touch (length)
+    int tested; ///< distances between spheres that were computed
+  };
+  /// Searches the pair, which is due then until set_deadlines(); all its spheres to test are without slot,
+  /// in ascending order.
+  /// @param[in] centre_distance x_j - x_i (length)
+  /// @param[in] gap > 0: spheres closer than this are to be tested (length)
+  Search search(std::size_t pair, const ChainPose& i, const ChainPose& j,
+                const Vector3& centre_distance, double gap);
+
+  /// Spheres to test, ordered by sphere_i, then sphere_j.
+  SpherePair* begin(std::size_t pair) { return &spheres_[watched_[pair].first]; }
+  SpherePair* end(std::size_t pair) { return begin(pair) + watched_[pair].count; }
+
+  struct Touching {
+    SpherePair* spheres;
+    SphereContact contact;
+  };
+  /// Finds all spheres to test that touch, in their order.
+  /// @param[out] touching has room for all from begin() to end()
+  /// @return how many touch
+  int find_touching(std::size_t pair, const ChainPose& i, const ChainPose& j,
+                    const Vector3& centre_distance, Touching* touching) {
+    int count = 0;
+    for (SpherePair *s = begin(pair), *last = end(pair); s != last; ++s) {
+      touching[count].spheres = s;
+      count += touch(i, j, centre_distance, {s->sphere_i, s->centre_i, s->radius_i},
+                     {s->sphere_j, s->centre_j, s->radius_j}, touching[count].contact);
+    }
+    return count;
+  }
+
+ private:
+  struct Watched {
+    MotionClocks::Deadlines until{0.0, 0.0};
+    unsigned first = 0; ///< of its places in spheres_
+    int count = 0, room = 0;
+  };
+  std::vector<Watched> watched_;
+  std::vector<SpherePair> spheres_;
+  std::vector<SpherePair> found_;
+
+  int find(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance, double gap);
+  void keep_found(std::size_t pair);
+};
+
+} // namespace ellipsoid

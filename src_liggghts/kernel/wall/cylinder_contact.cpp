@@ -1,0 +1,85 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "wall/cylinder_contact.h"
+
+#include "wall/wall_tolerances.h"
+
+#include <algorithm>
+
+namespace ellipsoid {
+
+namespace {
+
+enum class Side { inside, outside };
+
+Vector3 way_to_axis(const Cylinder& c) { return c.centre - dot(c.centre, c.axis) * c.axis; }
+
+Side side_of(const Cylinder& c, const Vector3& to_axis) {
+  return norm(to_axis) < c.radius ? Side::inside : Side::outside;
+}
+
+/// What the wall's curvature makes of the reduced radius at a plane.
+/// @param[in] w the body's radius of curvature around the axis (length)
+double reduced_radius(double at_plane, double w, double wall_radius, Side side) {
+  const double factor = side == Side::inside
+                            ? std::fmax(wall_tolerance::conformity, 1.0 - w / wall_radius)
+                            : 1.0 + w / wall_radius;
+  return at_plane / std::sqrt(factor);
+}
+
+ContactGeometry contact_along(const EllipsoidShape& body, const Cylinder& cylinder,
+                              const Vector3& to_axis, Side side, const Vector3& normal) {
+  const double wall = side == Side::inside ? cylinder.radius : -cylinder.radius;
+  const Vector3 wall_point = to_axis + wall * normal;
+  ContactGeometry c = find_plane_contact(body, wall_point, normal);
+  const Vector3 tangent = cross(cylinder.axis, normal), a_t = body.a_matrix * tangent;
+  const double s = support(body, normal), a_nt = dot(normal, a_t) / s;
+  const double w = (dot(tangent, a_t) - a_nt * a_nt) / s;
+  c.reduced_radius = reduced_radius(c.curvature_radius_i, w, cylinder.radius, side);
+  return c;
+}
+
+} // namespace
+
+CylinderContacts find_cylinder_contacts(const EllipsoidShape& body, const Cylinder& cylinder) {
+  const Vector3 to_axis = way_to_axis(cylinder);
+  const Side side = side_of(cylinder, to_axis);
+  const Shadow shadow = shadow_along(body, cylinder.axis);
+  CylinderContacts result;
+  const auto add = [&](const Vector3& normal) {
+    const ContactGeometry c = contact_along(body, cylinder, to_axis, side, normal);
+    if (c.status == ContactStatus::touching)
+      result.contact[static_cast<std::size_t>(result.count++)] = c;
+  };
+  if (side == Side::outside) {
+    add(nearest_normal(shadow, to_axis));
+    return result;
+  }
+  const FarthestNormals farthest = farthest_normals(shadow, to_axis);
+  for (int k = 0; k < farthest.count; ++k)
+    add(farthest.normal[static_cast<std::size_t>(k)]);
+  return result;
+}
+
+void find_cylinder_contacts(const ChainPose& pose, const Cylinder& cylinder,
+                            std::vector<SphereContact>& contacts) {
+  contacts.clear();
+  const Vector3 to_axis = way_to_axis(cylinder);
+  const Side side = side_of(cylinder, to_axis);
+  const Vector3 across = pose.axis - dot(pose.axis, cylinder.axis) * cylinder.axis;
+  for (int k = 0; k < pose.chain->count(); ++k) {
+    const double place = pose.scale * pose.chain->centre(k);
+    const double radius = pose.scale * pose.chain->radius(k);
+    const Vector3 from_axis = place * across - to_axis;
+    const double distance = norm(from_axis);
+    const double overlap = side == Side::inside ? radius + distance - cylinder.radius
+                                                : radius + cylinder.radius - distance;
+    if (!(overlap > 0.0 && distance > 0.0))
+      continue;
+    const Vector3 normal = ((side == Side::inside ? 1.0 : -1.0) / distance) * from_axis;
+    const Vector3 point = place * pose.axis + (radius - 0.5 * overlap) * normal;
+    contacts.push_back({k, -1, normal, point, overlap,
+                        reduced_radius(radius, radius, cylinder.radius, side), radius, 0.0});
+  }
+}
+
+} // namespace ellipsoid

@@ -1,0 +1,124 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Tangential contact model history/viscous: eq. (24) of Markauskas et al. 2010 on any surface.
+#ifdef TANGENTIAL_MODEL
+// clang-format off
+TANGENTIAL_MODEL(TANGENTIAL_HISTORY_VISCOUS,history/viscous,40)
+// clang-format on
+#else
+#ifndef TANGENTIAL_MODEL_HISTORY_VISCOUS_H_
+#define TANGENTIAL_MODEL_HISTORY_VISCOUS_H_
+
+#include "atom.h"
+#include "law/contact_law.h"
+#include "contact_models.h"
+#include "ellipsoid_host.h"
+#include "global_properties.h"
+#include "tangential_model_base.h"
+#include "update.h"
+
+#include <cmath>
+#include <string>
+
+namespace LIGGGHTS {
+namespace ContactModels {
+
+/// Keyword `direction displacement|velocity`.
+class SlipDirectionSetting : public EnumSetting<ellipsoid::SlipDirection> {
+public:
+  SlipDirectionSetting(std::string name, ellipsoid::SlipDirection)
+      : EnumSetting<ellipsoid::SlipDirection>(name) {
+    addOption("displacement", ellipsoid::SlipDirection::displacement);
+    addOption("velocity", ellipsoid::SlipDirection::velocity);
+    setDefault("displacement");
+  }
+
+  int parseArguments(char** args) override {
+    const int consumed = EnumSetting<ellipsoid::SlipDirection>::parseArguments(args);
+    if (consumed < 0)
+      error_message = std::string("keyword 'direction' has the value '") + args[1] +
+                      "', allowed is one of 'displacement', 'velocity'";
+    return consumed;
+  }
+};
+
+template <> class TangentialModel<TANGENTIAL_HISTORY_VISCOUS> : public TangentialModelBase {
+public:
+  TangentialModel(LAMMPS* lmp, IContactHistorySetup* hsetup, class ContactModelBase* c)
+      : TangentialModelBase(lmp, hsetup, c) {
+    spring_offset_ = hsetup->add_history_value("springx", "1");
+    hsetup->add_history_value("springy", "1");
+    hsetup->add_history_value("springz", "1");
+  }
+
+  void registerSettings(Settings& settings) {
+    settings.registerSetting<SlipDirectionSetting>("direction", direction_,
+                                                   ellipsoid::SlipDirection::displacement);
+  }
+
+  /// Named integers are the only way that the host's classes offer to ask for a setting.
+  void postSettings(IContactHistorySetup*, ContactModelBase* cmb) {
+    cmb->add_history_offset("spring", spring_offset_);
+    cmb->add_history_offset("creeps", direction_ == ellipsoid::SlipDirection::velocity);
+  }
+
+  void connectToProperties(PropertyRegistry& registry) {
+    registry.registerProperty("coeffFrict", &MODEL_PARAMS::createCoeffFrict);
+    registry.registerProperty("viscousDampingTangential",
+                              &ellipsoid_host::viscous_damping_tangential,
+                              "tangential history/viscous");
+    registry.connect("coeffFrict", friction_, "tangential history/viscous");
+    registry.connect("viscousDampingTangential", damping_, "tangential history/viscous");
+  }
+
+  inline void surfacesIntersect(const SurfacesIntersectData& sidata, ForceData& i_forces,
+                                ForceData& j_forces) {
+    if (sidata.contact_flags)
+      *sidata.contact_flags |= CONTACT_TANGENTIAL_MODEL;
+    double* const stored = &sidata.contact_history[spring_offset_];
+    ellipsoid::Vector3 spring{stored[0], stored[1], stored[2]};
+    const ellipsoid::Vector3 normal{sidata.en[0], sidata.en[1], sidata.en[2]};
+    const ellipsoid::Vector3 velocity{sidata.vtr1, sidata.vtr2, sidata.vtr3};
+    const bool update_history = sidata.computeflag && sidata.shearupdate;
+    if (update_history)
+      ellipsoid::advance_spring(spring, velocity, update->dt, normal);
+    const int itype = sidata.itype, jtype = sidata.jtype;
+    const ellipsoid::Vector3 force = ellipsoid::tangential_force(
+        direction_,
+        {sidata.kt, damping_[itype][jtype] * sidata.meff,
+         friction_[itype][jtype] * std::fabs(sidata.Fn), velocity},
+        spring);
+    if (update_history) {
+      stored[0] = spring.x;
+      stored[1] = spring.y;
+      stored[2] = spring.z;
+    }
+    ellipsoid_host::add_contact_force(sidata, atom->x, force,
+                                      ellipsoid_host::TorqueArm::along_normal_on_spheres, i_forces,
+                                      j_forces);
+  }
+
+  inline void surfacesClose(SurfacesCloseData& scdata, ForceData&, ForceData&) {
+    if (scdata.contact_flags)
+      *scdata.contact_flags &= ~CONTACT_TANGENTIAL_MODEL;
+    if (!scdata.contact_history)
+      return;
+    for (int k = 0; k < 3; ++k)
+      scdata.contact_history[spring_offset_ + k] = 0.0;
+  }
+
+  void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
+  void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
+
+private:
+  double** friction_ = nullptr; // mu per type pair
+  double** damping_ = nullptr;  // eta_t per type pair (1/time)
+  int spring_offset_ = 0;
+  ellipsoid::SlipDirection direction_ = ellipsoid::SlipDirection::displacement;
+};
+
+} // namespace ContactModels
+} // namespace LIGGGHTS
+
+#endif
+#endif

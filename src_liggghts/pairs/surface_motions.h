@@ -1,0 +1,35 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// How the surface of each particle moves from step to step.
+#ifndef SURFACE_MOTIONS_H_
+#define SURFACE_MOTIONS_H_
+
+#include "separation/motion_clocks.h"
+
+#include <vector>
+
+namespace LAMMPS_NS {
+class Atom;
+}
+
+namespace LIGGGHTS {
+
+class SurfaceMotions {
+public:
+  /// Takes the motion since the last call; owned and ghost particles.
+  /// @param[in] new_lists the indices of the particles may have changed: all clocks start anew
+  /// @return whether they did (also when the number of particles has changed)
+  bool update(const LAMMPS_NS::Atom& atom, double time_step, bool new_lists);
+  ellipsoid::MotionClocks& clocks() { return clocks_; }
+
+private:
+  std::vector<double> centres_, orientations_; // at the last call: 3 and 4 numbers each
+  std::vector<double> turning_radii_;
+  ellipsoid::MotionClocks clocks_;
+
+  void restart(const LAMMPS_NS::Atom& atom, double time_step, std::size_t count);
+};
+
+} // namespace LIGGGHTS
+
+#endif

@@ -1,0 +1,238 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "fix_insert_drop.h"
+
+#include "atom.h"
+#include "atom_vec.h"
+#include "comm.h"
+#include "insertion/counter_random.h"
+#include "domain.h"
+#include "ellipsoid/ellipsoid_contact.h"
+#include "ellipsoid_host.h"
+#include "error.h"
+#include "modify.h"
+#include "update.h"
+
+#include <cmath>
+#include <cstring>
+#include <string>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using ellipsoid_host::store;
+using ellipsoid_host::vector;
+
+namespace {
+
+/// Begins the state in restart files; files without it begin with a number of particles, and end
+/// before the step of the next try.
+constexpr double with_next_try = -1.0;
+
+} // namespace
+
+FixInsertDrop::FixInsertDrop(LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg) {
+  restart_global = 1;
+  scalar_flag = 1;
+  extscalar = 0;
+  global_freq = 1;
+  force_reneighbor = 1;
+  next_reneighbor = -1;
+  if (!atom->superquadric_flag)
+    error->fix_error(FLERR, this, "needs particles with shape: use atom_style granular/ellipsoid");
+  first_step_ = update->ntimestep + 1;
+  parse(narg, arg);
+}
+
+void FixInsertDrop::parse(int narg, char** arg) {
+  ellipsoid_host::ArgumentReader reader(error, this, narg, arg, 3);
+  bool has_seed = false, has_box = false;
+  while (!reader.done()) {
+    const std::string keyword = reader.keyword();
+    if (keyword == "seed") {
+      seed_ = reader.integer(keyword, 1, MAXSMALLINT - 1);
+      has_seed = true;
+    } else if (keyword == "template") {
+      const std::string name = reader.word(keyword);
+      const int index = modify->find_fix(name.c_str());
+      template_ = index < 0 ? nullptr
+                            : dynamic_cast<FixParticletemplateEllipsoid*>(modify->fix[index]);
+      if (!template_)
+        reader.complain("keyword 'template' has the value '" + name +
+                        "', allowed is the id of a fix particletemplate/ellipsoid; define it first");
+    } else if (keyword == "particles") {
+      particles_ = reader.integer(keyword, 1, MAXSMALLINT - 1);
+    } else if (keyword == "interval") {
+      interval_ = reader.positive(keyword);
+    } else if (keyword == "box") {
+      for (int k = 0; k < 3; ++k) {
+        low_[k] = reader.number(keyword, -HUGE_VAL, HUGE_VAL);
+        high_[k] = reader.number(keyword, low_[k], HUGE_VAL);
+      }
+      has_box = true;
+    } else if (keyword == "velocity") {
+      for (double* component : {&velocity_.x, &velocity_.y, &velocity_.z})
+        *component = reader.number(keyword, -HUGE_VAL, HUGE_VAL);
+    } else {
+      reader.complain("unknown keyword '" + keyword +
+                      "', allowed are 'seed', 'template', 'particles', 'interval', 'box', "
+                      "'velocity'");
+    }
+  }
+  const char* missing = !has_seed            ? "seed S"
+                        : !template_         ? "template ID"
+                        : particles_ == 0    ? "particles K"
+                        : interval_ == 0.0   ? "interval T"
+                        : !has_box           ? "box xlo xhi ylo yhi zlo zhi"
+                                             : nullptr;
+  if (missing)
+    reader.complain(std::string("a keyword is missing; add '") + missing + "'");
+}
+
+int FixInsertDrop::setmask() { return PRE_EXCHANGE; }
+
+void FixInsertDrop::init() {
+  if (interval_ < update->dt)
+    error->fix_error(FLERR, this,
+                     "keyword 'interval' is shorter than the time step; make it longer");
+  for (int k = 0; k < 3; ++k)
+    if (low_[k] < domain->boxlo[k] || high_[k] > domain->boxhi[k])
+      error->fix_error(FLERR, this,
+                       "keyword 'box' reaches out of the simulation box; keep it inside");
+  schedule();
+}
+
+/// The step of the next drop, from the number of particles alone: rounding does not add up.
+void FixInsertDrop::schedule() {
+  if (inserted_ >= particles_) {
+    next_reneighbor = -1;
+    return;
+  }
+  const bigint due = first_step_ + static_cast<bigint>(std::llround(inserted_ * interval_ / update->dt));
+  next_reneighbor = std::max({due, next_try_, update->ntimestep + 1});
+}
+
+/// A taken place is tried again a few times per interval: every try rebuilds the neighbour lists.
+bigint FixInsertDrop::steps_between_tries() const {
+  return 1 + static_cast<bigint>(0.1 * interval_ / update->dt);
+}
+
+double FixInsertDrop::max_rad(int type) {
+  return type == template_->maxtype() ? template_->max_rad() : 0.0;
+}
+
+double FixInsertDrop::min_rad(int type) {
+  return type == template_->maxtype() ? template_->min_rad() : HUGE_VAL;
+}
+
+void FixInsertDrop::draw(ParticleToInsertEllipsoid& p) const {
+  ellipsoid::CounterRandom shape(~static_cast<std::uint64_t>(seed_),
+                                 static_cast<std::uint64_t>(inserted_));
+  template_->fill(p, [&shape] { return shape.uniform(); });
+  ellipsoid::CounterRandom random(static_cast<std::uint64_t>(seed_),
+                                  static_cast<std::uint64_t>(inserted_));
+  double position[3], velocity[3], at_rest[3] = {0.0, 0.0, 0.0}, quaternion[4];
+  for (int k = 0; k < 3; ++k)
+    position[k] = random.uniform(low_[k], high_[k]);
+  store(velocity_, velocity);
+  if (template_->planar()) {
+    const double half_angle = 0.5 * random.uniform(-M_PI, M_PI);
+    store(ellipsoid::Quaternion{std::cos(half_angle), 0.0, 0.0, std::sin(half_angle)}, quaternion);
+  } else { // uniform over all rotations: Shoemake 1992, Graphics Gems III
+    const double u = random.uniform(), a = random.uniform(0.0, 2.0 * M_PI),
+                 b = random.uniform(0.0, 2.0 * M_PI);
+    store(ellipsoid::Quaternion{std::sqrt(1.0 - u) * std::sin(a), std::sqrt(1.0 - u) * std::cos(a),
+                                std::sqrt(u) * std::sin(b), std::sqrt(u) * std::cos(b)},
+          quaternion);
+  }
+  p.set_x_v_omega(position, velocity, at_rest, quaternion);
+}
+
+bool FixInsertDrop::is_mine(const double* x) const {
+  for (int k = 0; k < 3; ++k) {
+    const bool last = comm->myloc[k] == comm->procgrid[k] - 1;
+    if (x[k] < domain->sublo[k] || (last ? x[k] > domain->subhi[k] : x[k] >= domain->subhi[k]))
+      return false;
+  }
+  return true;
+}
+
+/// True on all ranks when no particle of any rank touches the new one.
+bool FixInsertDrop::place_is_free(const ParticleToInsertEllipsoid& p) const {
+  const auto shape =
+      ellipsoid::make_shape(vector(p.shape_ins), ellipsoid_host::quaternion(p.quat_ins));
+  int touching = 0;
+  for (int i = 0; i < atom->nlocal && !touching; ++i) {
+    ellipsoid::Vector3 distance = vector(atom->x[i]) - vector(p.x_ins[0]);
+    domain->minimum_image(distance.x, distance.y, distance.z);
+    const double reach = atom->radius[i] + p.r_bound_ins;
+    if (dot(distance, distance) >= reach * reach)
+      continue;
+    const auto other = ellipsoid::make_shape(vector(atom->shape[i]),
+                                             ellipsoid_host::quaternion(atom->quaternion[i]));
+    touching = find_contact(shape, other, distance).status != ellipsoid::ContactStatus::separated;
+  }
+  int touching_anywhere = 0;
+  MPI_Allreduce(&touching, &touching_anywhere, 1, MPI_INT, MPI_MAX, world);
+  return !touching_anywhere;
+}
+
+void FixInsertDrop::insert(ParticleToInsertEllipsoid& p) {
+  int here = is_mine(p.x_ins[0]) ? 1 : 0, everywhere = 0;
+  if (here) {
+    p.groupbit |= groupbit;
+    p.insert();
+  }
+  MPI_Allreduce(&here, &everywhere, 1, MPI_INT, MPI_SUM, world);
+  if (everywhere != 1)
+    error->fix_error(FLERR, this, "no rank or several ranks own the place of a new particle; "
+                                  "this is an error of the program, please report it");
+  if (atom->tag_enable)
+    atom->tag_extend();
+  atom->natoms += 1;
+  if (atom->map_style) {
+    atom->nghost = 0;
+    atom->map_init();
+    atom->map_set();
+  }
+}
+
+void FixInsertDrop::pre_exchange() {
+  if (update->ntimestep != next_reneighbor || inserted_ >= particles_)
+    return;
+  ParticleToInsertEllipsoid particle(lmp);
+  draw(particle);
+  if (place_is_free(particle)) {
+    insert(particle);
+    ++inserted_;
+    next_try_ = -1;
+  } else {
+    if (next_try_ < 0 && comm->me == 0)
+      error->warning(FLERR, ("Fix insert/drop (id " + std::string(id) + "): the place of particle " +
+                             std::to_string(inserted_ + 1) +
+                             " is taken; it waits until the place is free")
+                                .c_str());
+    next_try_ = update->ntimestep + steps_between_tries();
+  }
+  schedule();
+}
+
+void FixInsertDrop::write_restart(FILE* file) {
+  if (comm->me != 0)
+    return;
+  const double state[] = {with_next_try, static_cast<double>(inserted_),
+                          static_cast<double>(first_step_), static_cast<double>(next_try_)};
+  const int size = sizeof(state);
+  fwrite(&size, sizeof(int), 1, file);
+  fwrite(state, 1, sizeof(state), file);
+}
+
+void FixInsertDrop::restart(char* buffer) {
+  double first;
+  std::memcpy(&first, buffer, sizeof(first));
+  const bool has_next_try = first == with_next_try;
+  double state[3] = {0.0, 0.0, -1.0};
+  std::memcpy(state, buffer + (has_next_try ? sizeof(first) : 0),
+              (has_next_try ? 3 : 2) * sizeof(double));
+  inserted_ = static_cast<int>(state[0]);
+  first_step_ = static_cast<bigint>(state[1]);
+  next_try_ = static_cast<bigint>(state[2]);
+}

@@ -1,0 +1,61 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// fix insert/drop: one ellipsoid after the other at a random place of a box, at equal intervals.
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(insert/drop,FixInsertDrop)
+// clang-format on
+#else
+#ifndef LMP_FIX_INSERT_DROP_H
+#define LMP_FIX_INSERT_DROP_H
+
+#include "fix.h"
+#include "fix_particletemplate_ellipsoid.h"
+
+namespace LAMMPS_NS {
+
+/// All random numbers come from (seed, number of the particle): any number of ranks, and a run
+/// continued from a restart file, insert the same particles at the same moments.
+class FixInsertDrop : public Fix {
+public:
+  FixInsertDrop(class LAMMPS* lmp, int narg, char** arg);
+
+  int setmask() override;
+  void init() override;
+  void pre_exchange() override;
+  void write_restart(FILE* file) override;
+  void restart(char* buffer) override;
+  /// Particles inserted so far.
+  double compute_scalar() override { return inserted_; }
+
+  bool use_rad_for_cut_neigh_and_ghost() override { return true; }
+  double max_rad(int type) override;
+  double min_rad(int type) override;
+  int min_type() override { return template_->mintype(); }
+  int max_type() override { return template_->maxtype(); }
+
+private:
+  FixParticletemplateEllipsoid* template_ = nullptr;
+  int seed_ = 0;
+  int particles_ = 0;            // to insert in all
+  double interval_ = 0.0;        // between two drops (time)
+  bigint first_step_ = 0;        // of the first drop
+  double low_[3] = {0., 0., 0.}; // box of the centres (length)
+  double high_[3] = {0., 0., 0.};
+  ellipsoid::Vector3 velocity_; // (length/time)
+  int inserted_ = 0;
+  bigint next_try_ = -1; // step of it, for a drop whose place was taken; else -1
+
+  void parse(int narg, char** arg);
+  void schedule();
+  bigint steps_between_tries() const;
+  void draw(ParticleToInsertEllipsoid& particle) const;
+  bool is_mine(const double* position) const;
+  bool place_is_free(const ParticleToInsertEllipsoid& particle) const;
+  void insert(ParticleToInsertEllipsoid& particle);
+};
+
+} // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,358 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "fix_particletemplate_ellipsoid.h"
+
+#include "atom.h"
+#include "ellipsoid_host.h"
+#include "ellipsoid/ellipsoid_properties.h"
+#include "error.h"
+#include "fix_property_atom.h"
+#include "force.h"
+#include "math_extra_liggghts.h"
+#include "memory.h"
+#include "modify.h"
+#include "multisphere_particles.h"
+#include "random_park.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace LAMMPS_NS;
+using ellipsoid_host::store;
+
+namespace {
+
+constexpr long smallest_seed = 10007;     // the host wants primes above 10000
+constexpr long largest_seed = 2000000011; // and adds a little for each rank
+
+/// The host's base class reads keywords of its own and wants a density: it is given what it needs
+/// (id, group, style, seed and a density that is never used).
+class BaseArguments {
+public:
+  BaseArguments(LAMMPS* lmp, int narg, char** arg) : words_(arg, arg + std::min(narg, 4)) {
+    static char density[] = "density", constant[] = "constant", one[] = "1.0";
+    check_seed(lmp->error, arg[0], narg >= 4 ? arg[3] : "");
+    words_.insert(words_.end(), {density, constant, one});
+  }
+  int count() { return static_cast<int>(words_.size()); }
+  char** words() { return words_.data(); }
+
+private:
+  std::vector<char*> words_;
+
+  /// The host's generator takes primes only, and its own message does not say whose seed it was.
+  static void check_seed(Error* error, const char* id, const char* token) {
+    char* end = nullptr;
+    errno = 0;
+    const long seed = std::strtol(token, &end, 10);
+    const bool whole = end != token && *end == '\0' && errno == 0;
+    if (whole && seed >= smallest_seed && seed <= largest_seed &&
+        MathExtraLiggghts::isPrime(static_cast<int>(seed)))
+      return;
+    error->all(FLERR,
+               (std::string("Fix particletemplate/ellipsoid (id ") + id + "): the seed is '" +
+                token + "', allowed is a prime number from " + std::to_string(smallest_seed) +
+                " to " + std::to_string(largest_seed) + ", for example 15485863")
+                   .c_str());
+  }
+};
+
+} // namespace
+
+int ParticleToInsertEllipsoid::check_near_set_x_v_omega(double* x, double* v, double* omega,
+                                                        double* quat,
+                                                        RegionNeighborList<interpolate_no>& near) {
+  if (has_orientation)
+    store(orientation, quat);
+  return ParticleToInsertSuperquadric::check_near_set_x_v_omega(x, v, omega, quat, near);
+}
+
+int ParticleToInsertEllipsoid::set_x_v_omega(double* x, double* v, double* omega, double* quat) {
+  if (has_orientation)
+    store(orientation, quat);
+  return ParticleToInsertSuperquadric::set_x_v_omega(x, v, omega, quat);
+}
+
+int ParticleToInsertEllipsoid::insert() {
+  const int inserted = ParticleToInsertSuperquadric::insert();
+  if (subspheres == 0)
+    return inserted;
+  for (const auto& value : {std::make_pair("subspheres", static_cast<double>(subspheres)),
+                            std::make_pair("spacing", static_cast<double>(spacing))}) {
+    auto* fix = static_cast<FixPropertyAtom*>(modify->find_fix_property(
+        value.first, "property/atom", "scalar", 0, 0, "fix particletemplate/ellipsoid"));
+    for (int i = atom->nlocal - inserted; i < atom->nlocal; ++i)
+      fix->vector_atom[i] = value.second;
+  }
+  return inserted;
+}
+
+FixParticletemplateEllipsoid::FixParticletemplateEllipsoid(LAMMPS* lmp, int narg, char** arg)
+    : FixTemplateSphere(lmp, BaseArguments(lmp, narg, arg).count(),
+                        BaseArguments(lmp, narg, arg).words()) {
+  if (!atom->superquadric_flag)
+    error->fix_error(FLERR, this, "needs particles with shape: use atom_style granular/ellipsoid");
+  delete pti;
+  pti = new ParticleToInsertEllipsoid(lmp);
+  parse(narg, arg);
+}
+
+FixParticletemplateEllipsoid::~FixParticletemplateEllipsoid() {
+  delete pti;
+  if (pti_list)
+    delete_ptilist();
+}
+
+/// What tells multi-sphere particles apart is stored per atom.
+void FixParticletemplateEllipsoid::post_create() {
+  if (stores_subspheres_)
+    ellipsoid_host::make_subsphere_properties(modify);
+}
+
+void FixParticletemplateEllipsoid::parse(int narg, char** arg) {
+  ellipsoid_host::ArgumentReader reader(error, this, narg, arg, 4);
+  bool has_semiaxes = false, has_moments = false;
+  while (!reader.done()) {
+    const std::string keyword = reader.keyword();
+    if (keyword == "atom_type") {
+      atom_type = reader.integer(keyword, 1, atom->ntypes);
+    } else if (keyword == "semiaxes") {
+      for (double* axis : {&semiaxes_.x, &semiaxes_.y, &semiaxes_.z})
+        *axis = reader.positive(keyword);
+      has_semiaxes = true;
+    } else if (keyword == "vary") {
+      parse_variation(reader);
+    } else if (keyword == "density") {
+      density_ = reader.positive(keyword);
+    } else if (keyword == "mass") {
+      mass_ = reader.positive(keyword);
+    } else if (keyword == "inertia") {
+      for (double* moment : {&principal_moments_.x, &principal_moments_.y, &principal_moments_.z})
+        *moment = reader.positive(keyword);
+      has_moments = true;
+    } else if (keyword == "orientation") {
+      planar_ = reader.choice(keyword, {"insert", "planar"}) == 1;
+    } else if (keyword == "subspheres") {
+      subspheres_ = reader.integer(keyword, 0, ellipsoid::largest_sphere_count);
+      stores_subspheres_ = true;
+    } else if (keyword == "spacing") {
+      const std::string word = reader.word(keyword);
+      try {
+        spacing_ = ellipsoid::sphere_spacing_from_word(word);
+      } catch (const std::invalid_argument& problem) {
+        reader.complain("keyword 'spacing': " + std::string(problem.what()));
+      }
+    } else if (keyword == "volume_limit") {
+      vol_limit = reader.positive(keyword);
+    } else {
+      reader.complain(
+          "unknown keyword '" + keyword +
+          "', allowed are 'atom_type', 'semiaxes', 'vary', 'density', 'mass', 'inertia', "
+          "'orientation', 'subspheres', 'spacing', 'volume_limit'");
+    }
+  }
+  finish(has_semiaxes, has_moments);
+}
+
+/// vary all|a|b|c|bc uniform|gaussian|lognormal first second
+void FixParticletemplateEllipsoid::parse_variation(ellipsoid_host::ArgumentReader& reader) {
+  using ellipsoid::SizeDistribution;
+  const std::string keyword = "vary";
+  Variation variation;
+  const int which = reader.choice(keyword, {"all", "a", "b", "c", "bc"});
+  const bool chosen[5][3] = {{true, true, true},
+                             {true, false, false},
+                             {false, true, false},
+                             {false, false, true},
+                             {false, true, true}};
+  std::copy(chosen[which], chosen[which] + 3, variation.axes.begin());
+  const int kind = reader.choice(keyword, {"uniform", "gaussian", "lognormal"});
+  if (kind == 0) {
+    const double low = reader.positive(keyword);
+    variation.factor = {SizeDistribution::Kind::uniform, low,
+                        reader.number(keyword, low, HUGE_VAL)};
+  } else if (kind == 1) {
+    const double mean = reader.positive(keyword);
+    const double largest_deviation = 0.999 * mean / SizeDistribution::cut;
+    variation.factor = {SizeDistribution::Kind::gaussian, mean,
+                        reader.number(keyword, 0.0, largest_deviation)};
+  } else {
+    constexpr double largest = 3.0; // of the logarithm's mean and standard deviation
+    const double mean = reader.number(keyword, -largest, largest);
+    variation.factor = {SizeDistribution::Kind::lognormal, mean,
+                        reader.number(keyword, 0.0, largest)};
+  }
+  variations_.push_back(variation);
+}
+
+/// Semi-axes times the values that `value_of` gives of the random factors.
+template <class Value>
+ellipsoid::Vector3 FixParticletemplateEllipsoid::varied(Value value_of) const {
+  double axes[3];
+  store(semiaxes_, axes);
+  for (const Variation& variation : variations_) {
+    const double factor = value_of(variation.factor);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (variation.axes[k])
+        axes[k] *= factor;
+  }
+  return ellipsoid_host::vector(axes);
+}
+
+void FixParticletemplateEllipsoid::finish(bool has_semiaxes, bool has_moments) {
+  if (!has_semiaxes)
+    error->fix_error(FLERR, this, "keyword 'semiaxes' is missing; add 'semiaxes a b c'");
+  if ((density_ > 0.0) == (mass_ > 0.0))
+    error->fix_error(
+        FLERR, this,
+        "exactly one of the keywords 'density' and 'mass' is needed; give one of them");
+  if (!variations_.empty() && (mass_ > 0.0 || has_moments))
+    error->fix_error(
+        FLERR, this,
+        "keyword 'vary' does not go with 'mass' or 'inertia', which belong to one size; "
+        "use 'density'");
+  semiaxes_ *= force->cg(atom_type);
+  volume_expect = ellipsoid::volume(semiaxes_);
+  for (const Variation& variation : variations_)
+    volume_expect *= variation.factor.moment(
+        static_cast<int>(std::count(variation.axes.begin(), variation.axes.end(), true)));
+  if (density_ > 0.0)
+    mass_ = density_ * ellipsoid::volume(semiaxes_);
+  else
+    density_ = mass_ / ellipsoid::volume(semiaxes_);
+  mass_expect = density_ * volume_expect;
+  using ellipsoid::SizeDistribution;
+  const auto smallest = varied([](const SizeDistribution& d) { return d.smallest(); });
+  const auto largest = varied([](const SizeDistribution& d) { return d.largest(); });
+  smallest_bounding_radius_ = ellipsoid::bounding_radius(smallest);
+  largest_bounding_radius_ = ellipsoid::bounding_radius(largest);
+  if (!has_moments)
+    principal_moments_ = ellipsoid::principal_moments(semiaxes_, mass_);
+  check_moments();
+  if (subspheres_ > 0)
+    check_multisphere();
+}
+
+void FixParticletemplateEllipsoid::check_moments() const {
+  const ellipsoid::Vector3& m = principal_moments_;
+  if (m.x > m.y + m.z || m.y > m.x + m.z || m.z > m.x + m.y)
+    error->fix_error(
+        FLERR, const_cast<FixParticletemplateEllipsoid*>(this),
+        "keyword 'inertia': one moment is larger than the sum of the two others, which "
+        "no rigid body has; correct the values");
+}
+
+/// Both the most and the least elongated particle must have a chain.
+void FixParticletemplateEllipsoid::check_multisphere() const {
+  using ellipsoid::SizeDistribution;
+  try {
+    if (semiaxes_.y != semiaxes_.z)
+      throw std::invalid_argument("the semi-axes b and c differ, multi-spheres need b = c; use "
+                                  "equal ones, or 'surface smooth' without 'subspheres'");
+    double longest = semiaxes_.x / semiaxes_.y, shortest = longest;
+    for (const Variation& variation : variations_) {
+      if (variation.axes[1] != variation.axes[2])
+        throw std::invalid_argument("'vary b' and 'vary c' make the semi-axes b and c differ, "
+                                    "multi-spheres need b = c; use 'vary bc'");
+      const SizeDistribution& factor = variation.factor;
+      if (variation.axes[0] != variation.axes[1]) {
+        const bool on_a = variation.axes[0];
+        longest *= on_a ? factor.largest() : 1.0 / factor.smallest();
+        shortest *= on_a ? factor.smallest() : 1.0 / factor.largest();
+      }
+    }
+    for (const double aspect : {shortest, longest})
+      ellipsoid::make_multisphere(aspect * semiaxes_.y, semiaxes_.y, subspheres_, spacing_);
+  } catch (const std::invalid_argument& problem) {
+    error->fix_error(FLERR, const_cast<FixParticletemplateEllipsoid*>(this),
+                     ("keyword 'subspheres': " + std::string(problem.what())).c_str());
+  }
+}
+
+void FixParticletemplateEllipsoid::fill(ParticleToInsertEllipsoid& p,
+                                        const std::function<double()>& uniform) const {
+  const ellipsoid::Vector3 axes =
+      varied([&uniform](const ellipsoid::SizeDistribution& d) { return d.draw(uniform()); });
+  const double volume = ellipsoid::volume(axes);
+  const bool one_size = variations_.empty(); // its mass and moments may be given
+  p.atom_type = atom_type;
+  p.radius_ins[0] = p.r_bound_ins = ellipsoid::bounding_radius(axes);
+  p.density_ins = density_;
+  p.volume_ins = volume;
+  p.area_ins = ellipsoid::surface_area(axes);
+  p.mass_ins = one_size ? mass_ : density_ * volume;
+  store(axes, p.shape_ins);
+  store(one_size ? principal_moments_ : ellipsoid::principal_moments(axes, p.mass_ins),
+        p.inertia_ins);
+  p.blockiness_ins[0] = p.blockiness_ins[1] = 2.0;
+  store(ellipsoid::Vector3{}, p.x_ins[0]);
+  store(ellipsoid::Vector3{}, p.v_ins);
+  store(ellipsoid::Vector3{}, p.omega_ins);
+  p.groupbit = groupbit;
+  p.subspheres = subspheres_;
+  p.spacing = spacing_;
+}
+
+void FixParticletemplateEllipsoid::randomize(ParticleToInsertEllipsoid& p) {
+  fill(p, [this] { return random_insertion->uniform(); });
+  p.has_orientation = planar_;
+  if (planar_) {
+    const double half_angle = M_PI * (random_insertion->uniform() - 0.5);
+    p.orientation = {std::cos(half_angle), 0.0, 0.0, std::sin(half_angle)};
+  }
+}
+
+void FixParticletemplateEllipsoid::randomize_single() {
+  randomize(static_cast<ParticleToInsertEllipsoid&>(*pti));
+}
+
+void FixParticletemplateEllipsoid::init_ptilist(int n_random_max, const bool,
+                                                FixPropertyAtom* const) {
+  if (pti_list)
+    error->fix_error(FLERR, this,
+                     "is used by two insertions at once; define one template for each");
+  n_pti_max = n_random_max;
+  pti_list = static_cast<ParticleToInsert**>(
+      memory->smalloc(static_cast<bigint>(sizeof(ParticleToInsert*)) * n_pti_max, "pti_list"));
+  for (int i = 0; i < n_pti_max; ++i)
+    pti_list[i] = new ParticleToInsertEllipsoid(lmp);
+}
+
+void FixParticletemplateEllipsoid::randomize_ptilist(int n_random, int distribution_groupbit,
+                                                     int distorder) {
+  for (int i = 0; i < n_random; ++i) {
+    randomize(static_cast<ParticleToInsertEllipsoid&>(*pti_list[i]));
+    pti_list[i]->groupbit = groupbit | distribution_groupbit;
+    pti_list[i]->distorder = distorder;
+  }
+}
+
+void FixParticletemplateEllipsoid::direct_set_ptlist(const int, const void* const, const int,
+                                                     const int) {
+  error->fix_error(FLERR, this,
+                   "cannot be filled from a file of particles; use fix insert/pack, insert/stream, "
+                   "insert/rate/region or insert/drop");
+}
+
+unsigned int FixParticletemplateEllipsoid::generate_hash() {
+  unsigned int hash = 0, start = static_cast<unsigned int>(seed_orig) * 420001U;
+  add_hash_value(atom_type, start, hash);
+  for (const double value : {semiaxes_.x, semiaxes_.y, semiaxes_.z, mass_, principal_moments_.x,
+                             principal_moments_.y, principal_moments_.z})
+    add_hash_value(value, start, hash);
+  for (const int value : {static_cast<int>(planar_), subspheres_, static_cast<int>(spacing_)})
+    add_hash_value(value, start, hash);
+  for (const Variation& variation : variations_) {
+    for (const bool axis : variation.axes)
+      add_hash_value(static_cast<int>(axis), start, hash);
+    for (const double value :
+         {variation.factor.smallest(), variation.factor.largest(), variation.factor.moment(1)})
+      add_hash_value(value, start, hash);
+  }
+  return hash;
+}

@@ -1,0 +1,94 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// fix particletemplate/ellipsoid: size, mass and orientation of the ellipsoids to insert.
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(particletemplate/ellipsoid,FixParticletemplateEllipsoid)
+// clang-format on
+#else
+#ifndef LMP_FIX_PARTICLETEMPLATE_ELLIPSOID_H
+#define LMP_FIX_PARTICLETEMPLATE_ELLIPSOID_H
+
+#include "fix_template_sphere.h"
+#include "multisphere/multisphere_template.h"
+#include "particleToInsertSuperquadric.h"
+#include "insertion/size_distribution.h"
+#include "math/vector3.h"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace ellipsoid_host {
+class ArgumentReader;
+}
+
+namespace LAMMPS_NS {
+
+/// A particle to insert whose orientation may be its template's, not the inserting fix's.
+class ParticleToInsertEllipsoid : public ParticleToInsertSuperquadric {
+public:
+  explicit ParticleToInsertEllipsoid(class LAMMPS* lmp) : ParticleToInsertSuperquadric(lmp) {}
+  int check_near_set_x_v_omega(double* x, double* v, double* omega, double* quat,
+                               RegionNeighborList<interpolate_no>& near) override;
+  int set_x_v_omega(double* x, double* v, double* omega, double* quat) override;
+  int insert() override;
+
+  int subspheres = 0; ///< N of a multi-sphere particle, 0: smooth
+  ellipsoid::SphereSpacing spacing = ellipsoid::SphereSpacing::paper;
+  bool has_orientation = false; ///< use `orientation`, whatever the inserting fix says
+  ellipsoid::Quaternion orientation;
+};
+
+class FixParticletemplateEllipsoid : public FixTemplateSphere {
+public:
+  FixParticletemplateEllipsoid(class LAMMPS* lmp, int narg, char** arg);
+  ~FixParticletemplateEllipsoid();
+
+  void post_create() override;
+  double min_rad() override { return smallest_bounding_radius_; }
+  double max_rad() override { return largest_bounding_radius_; }
+  double max_r_bound() override { return largest_bounding_radius_; }
+  void randomize_single() override;
+  void init_ptilist(int n_random_max, const bool enforce_single = false,
+                    FixPropertyAtom* const fix_release = nullptr) override;
+  void randomize_ptilist(int n_random, int distribution_groupbit, int distorder) override;
+  void direct_set_ptlist(const int i, const void* const data, const int distribution_groupbit,
+                         const int distorder) override;
+  unsigned int generate_hash() override;
+
+  bool planar() const { return planar_; }
+  /// Shape, mass and moments; neither position nor orientation.
+  /// @param[in] uniform source of numbers in [0, 1), one is taken for each `vary`
+  void fill(ParticleToInsertEllipsoid& particle, const std::function<double()>& uniform) const;
+
+private:
+  /// Keyword `vary`: a random factor on some of the semi-axes.
+  struct Variation {
+    std::array<bool, 3> axes{};
+    ellipsoid::SizeDistribution factor;
+  };
+  std::vector<Variation> variations_;
+  ellipsoid::Vector3 semiaxes_;          // without the random factors (length)
+  ellipsoid::Vector3 principal_moments_; // about the body's x, y, z (mass length^2)
+  double mass_ = 0.0;
+  double density_ = 0.0; // mass over the volume of the smooth ellipsoid
+  double smallest_bounding_radius_ = 0.0, largest_bounding_radius_ = 0.0;
+  bool planar_ = false; // random angle in the xy plane
+  int subspheres_ = 0;  // N of multi-sphere particles, 0: smooth
+  bool stores_subspheres_ = false;
+  ellipsoid::SphereSpacing spacing_ = ellipsoid::SphereSpacing::paper;
+
+  void parse(int narg, char** arg);
+  void parse_variation(ellipsoid_host::ArgumentReader& reader);
+  template <class Value> ellipsoid::Vector3 varied(Value value_of) const;
+  void check_moments() const;
+  void finish(bool has_semiaxes, bool has_moments);
+  void check_multisphere() const;
+  void randomize(ParticleToInsertEllipsoid& particle);
+};
+
+} // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,142 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "multisphere_particles.h"
+
+#include "atom.h"
+#include "ellipsoid_host.h"
+#include "error.h"
+#include "fix_property_atom.h"
+#include "modify.h"
+#include "multisphere/motion_batch.h"
+#include "multisphere/multisphere_watch.h"
+#include "neighbor.h"
+#include "particle_arrays.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+using namespace LAMMPS_NS;
+
+namespace ellipsoid_host {
+
+namespace {
+
+/// Aspect ratios closer than this are the same chain: far below any shape's tolerance.
+constexpr double aspect_resolution = 1e-12;
+
+FixPropertyAtom* per_atom(Modify* modify, const char* name) {
+  return static_cast<FixPropertyAtom*>(modify->find_fix_property(
+      name, "property/atom", "scalar", 0, 0, "surface multisphere", false));
+}
+
+constexpr const char* property_names[2] = {"subspheres", "spacing"};
+
+} // namespace
+
+SubsphereProperties subsphere_properties(Modify* modify) {
+  return {per_atom(modify, property_names[0]), per_atom(modify, property_names[1])};
+}
+
+SubsphereProperties make_subsphere_properties(Modify* modify) {
+  for (const char* name : property_names) {
+    if (per_atom(modify, name))
+      continue;
+    const char* arguments[] = {name,  "all", "property/atom", name, "scalar",
+                               "yes", "yes", "no",            "0."};
+    modify->add_fix(9, const_cast<char**>(arguments));
+    per_atom(modify, name)->just_created = 0; // else the next run begins with default values
+  }
+  return subsphere_properties(modify);
+}
+
+void MultisphereParticles::find_properties() {
+  std::tie(subspheres_, spacing_) = std::tuple_cat(subsphere_properties(modify));
+  if (!subspheres_)
+    error->all(FLERR, "surface multisphere: no particle has sub-spheres; use keyword 'subspheres' of "
+                      "fix particletemplate/ellipsoid, or fix property/atom subspheres");
+}
+
+const ellipsoid::SphereChain* MultisphereParticles::chain(int i) {
+  const double* axes = atom->shape[i];
+  const int count = static_cast<int>(std::lround(subspheres_->vector_atom[i]));
+  const int spacing = spacing_ ? static_cast<int>(std::lround(spacing_->vector_atom[i])) : 0;
+  const double aspect = axes[0] / axes[1];
+  auto& entry = chains_[Key(std::llround(aspect / aspect_resolution), count, spacing)];
+  if (entry)
+    return entry.get();
+  try {
+    if (axes[1] != axes[2])
+      throw std::invalid_argument("the semi-axes b and c differ; multi-spheres need b = c");
+    entry.reset(new ellipsoid::SphereChain(make_multisphere(
+        aspect, 1.0, count, static_cast<ellipsoid::SphereSpacing>(spacing))));
+  } catch (const std::invalid_argument& problem) {
+    error->one(FLERR, ("surface multisphere, atom " + std::to_string(atom->tag[i]) + ": " +
+                       problem.what())
+                          .c_str());
+  }
+  return entry.get();
+}
+
+void MultisphereParticles::place(int i, ellipsoid::ChainPose& pose) const {
+  pose.axis = ellipsoid::rotation(quaternion(atom->quaternion[i])).column_x;
+  pose.scale = atom->shape[i][1];
+}
+
+ellipsoid::ChainPose MultisphereParticles::make_pose(int i) {
+  ellipsoid::ChainPose pose;
+  pose.chain = chain(i);
+  place(i, pose);
+  return pose;
+}
+
+/// Which chain a particle has is looked up when the neighbour lists are new: only then particles
+/// come and go, on all ranks at once.
+bool MultisphereParticles::update() {
+  const auto count = static_cast<std::size_t>(atom->nlocal + atom->nghost);
+  const bool new_lists = neighbor->ago == 0;
+  if (new_lists || poses_.size() != count)
+    find_properties();
+  if (new_lists) { // new ghosts, which the host does not give the values of these fixes
+    subspheres_->do_forward_comm();
+    if (spacing_)
+      spacing_->do_forward_comm();
+  }
+  if (new_lists || poses_.size() != count) {
+    begin_lists(count);
+    return true;
+  }
+  move();
+  return false;
+}
+
+void MultisphereParticles::begin_lists(std::size_t count) {
+  poses_.resize(count);
+  const double* centres = LIGGGHTS::ParticleArrays(*atom).x[0];
+  centres_.assign(centres, centres + 3 * count);
+  clocks_.restart(count);
+  const double time_step = lmp->update->dt;
+  for (std::size_t i = 0; i < count; ++i) {
+    poses_[i] = make_pose(static_cast<int>(i));
+    const double half_length = poses_[i].scale * poses_[i].chain->half_length();
+    clocks_.expect(i, {time_step * vector(atom->v[i]),
+                       time_step * half_length * norm(vector(atom->omega[i]))});
+  }
+}
+
+void MultisphereParticles::move() {
+  clocks_.begin_step();
+  const LIGGGHTS::ParticleArrays particles(*atom);
+  ellipsoid::Motions motions;
+  for (std::size_t first = 0; first < poses_.size(); first += ellipsoid::Motions::capacity) {
+    const int i = static_cast<int>(first), left = static_cast<int>(poses_.size() - first);
+    motions.count = std::min(ellipsoid::Motions::capacity, left);
+    ellipsoid::take_motions({particles.shape[i], particles.x[i], particles.quaternion[i],
+                             &centres_[3 * first], &poses_[first]},
+                            motions);
+    clocks_.advance_from(first, motions);
+  }
+}
+
+} // namespace ellipsoid_host

@@ -1,0 +1,374 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "fix_wall_gran_ellipsoid.h"
+
+#include "atom.h"
+#include "ellipsoid/ellipsoid_contact.h"
+#include "ellipsoid_host.h"
+#include "ellipsoid_models.h"
+#include "error.h"
+#include "fix_property_atom.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "primitive_wall.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+using namespace LAMMPS_NS;
+using ellipsoid::Vector3;
+using ellipsoid_host::store;
+using ellipsoid_host::vector;
+using ellipsoid_host::WallContact;
+using ellipsoid_host::WallMeshes;
+
+namespace {
+
+using Reader = ellipsoid_host::ArgumentReader;
+
+void check_primitive(LAMMPS* lmp, Reader& reader) {
+  reader.choice("primitive", {"type"});
+  reader.integer("type", 1, lmp->atom->ntypes);
+  const std::vector<std::string> shapes{"xplane",    "yplane",    "zplane",
+                                        "xcylinder", "ycylinder", "zcylinder"};
+  const auto shape = static_cast<std::size_t>(reader.choice("primitive type T", shapes));
+  if (shape >= 3)
+    reader.positive(shapes[shape]);
+  for (int k = 0; k < (shape < 3 ? 1 : 2); ++k)
+    reader.number(shapes[shape], -HUGE_VAL, HUGE_VAL);
+}
+
+void check_meshes(LAMMPS* lmp, Reader& reader, int count) {
+  for (int k = 0; k < count; ++k) {
+    const std::string mesh = reader.word("meshes");
+    const int fix = lmp->modify->find_fix(mesh.c_str());
+    if (fix < 0 || std::strncmp(lmp->modify->fix[fix]->style, "mesh/surface", 12) != 0)
+      reader.complain("keyword 'meshes' has the value '" + mesh +
+                      "', allowed are ids of fix mesh/surface; define the mesh before the wall");
+  }
+}
+
+/// The host reads these arguments without looking whether the words are there, and says little about
+/// wrong ones; so they are checked before it does. Returns `arg`.
+char** checked(LAMMPS* lmp, int narg, char** arg) {
+  Reader reader(lmp->error, "wall/gran/ellipsoid", arg[0], narg, arg, 3);
+  constexpr int most_meshes = 1000;
+  int meshes = 0;
+  bool has_mesh = false, lists_meshes = false;
+  while (!reader.done()) {
+    const std::string keyword = reader.keyword();
+    has_mesh = has_mesh || keyword == "mesh";
+    lists_meshes = lists_meshes || keyword == "meshes";
+    if (keyword == "primitive")
+      check_primitive(lmp, reader);
+    else if (keyword == "n_meshes")
+      meshes = reader.integer("n_meshes", 1, most_meshes);
+    else if (keyword == "meshes")
+      check_meshes(lmp, reader, meshes);
+  }
+  if (has_mesh && !lists_meshes)
+    reader.complain("'mesh' names no meshes; add 'n_meshes N meshes ID1 ... IDN'");
+  return arg;
+}
+
+} // namespace
+
+FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg)
+    : FixWallGran(lmp, narg, checked(lmp, narg, arg)), particles_(lmp), meshes_(lmp) {
+  multisphere_ = impl->contact_match("surface", "multisphere");
+  if (!multisphere_ && !impl->contact_match("surface", "smooth"))
+    error->fix_error(FLERR, this,
+                     "needs 'surface smooth' or 'surface multisphere' among the models; add it");
+  const std::string complaint = LCM::unsuitable_model(*impl) + LCM::unsuitable_setting(narg, arg);
+  if (!complaint.empty())
+    error->fix_error(FLERR, this, complaint.c_str());
+  if (multisphere_)
+    rule_ = impl->get_history_offset("multicontact") ? ellipsoid::MulticontactRule::average
+                                                     : ellipsoid::MulticontactRule::sum;
+  read_cylinder(narg, arg);
+  const int at_primitive = cylinder_axis_ >= 0 ? 2 : 1; // tips of a smooth ellipsoid
+  const bool many = multisphere_ || is_mesh_wall();
+  history_.set_size(many ? impl->get_history_offset("contacts") : at_primitive, dnum());
+}
+
+/// The host's class of primitive walls keeps these values to itself.
+void FixWallGranEllipsoid::read_cylinder(int narg, char** arg) {
+  if (is_mesh_wall())
+    return;
+  Reader reader(error, this, narg, arg, 3);
+  while (reader.keyword() != "primitive")
+    continue;
+  reader.keyword(); // type
+  reader.keyword(); // its value
+  const std::string shape = reader.keyword();
+  if (shape.substr(1) != "cylinder")
+    return;
+  cylinder_axis_ = shape[0] - 'x';
+  cylinder_radius_ = reader.positive(shape);
+  for (const int k : {1, 2}) // the host's order: y z, z x, x y
+    cylinder_centre_[(cylinder_axis_ + k) % 3] = reader.number(shape, -HUGE_VAL, HUGE_VAL);
+}
+
+void FixWallGranEllipsoid::post_create() {
+  const int values = dnum();
+  setDnum(0); // the host need not make a history of its own
+  FixWallGran::post_create();
+  setDnum(values);
+  if (values == 0)
+    return;
+  const std::string name = std::string("history_") + id;
+  std::vector<std::string> words{name, "all", "property/atom", name, "vector", "yes", "no", "no"};
+  words.insert(words.end(), static_cast<std::size_t>(history_.size()), "0.");
+  std::vector<char*> arguments;
+  for (std::string& word : words)
+    arguments.push_back(&word[0]);
+  modify->add_fix(static_cast<int>(arguments.size()), arguments.data());
+  fix_history_primitive_ = static_cast<FixPropertyAtom*>(modify->find_fix_property(
+      name.c_str(), "property/atom", "vector", history_.size(), 0, style));
+}
+
+void FixWallGranEllipsoid::init() {
+  FixWallGran::init();
+  if (!atom->superquadric_flag)
+    error->fix_error(FLERR, this, "needs particles with shape: use atom_style granular/ellipsoid");
+}
+
+void FixWallGranEllipsoid::post_force_primitive(int) {
+  if (multisphere_)
+    particles_.find_properties();
+  int* near;
+  const int near_count = primitiveWall_->getNeighbors(near);
+  for (int k = 0; k < near_count; ++k) {
+    const int i = near[k];
+    if (!(atom->mask[i] & groupbit))
+      continue;
+    contacts_.clear();
+    if (cylinder_axis_ >= 0)
+      find_cylinder_contacts_of(i);
+    else
+      find_plane_contacts_of(i);
+    for (WallContact& c : contacts_)
+      c.wall_velocity = primitive_velocity(vector(x_[i]) + c.point);
+    treat_contacts(i);
+  }
+}
+
+void FixWallGranEllipsoid::post_force_mesh(int) {
+  if (multisphere_)
+    particles_.find_properties();
+  for (int m = 0; m < n_FixMesh_; ++m)
+    FixMesh_list_[m]->contactHistory()->markAllContacts();
+  if (dnum() > 0)
+    is_near_.assign(static_cast<std::size_t>(atom->nlocal), 0);
+  meshes_.collect(FixMesh_list_, n_FixMesh_, groupbit);
+  meshes_.for_each_particle([this](int i) {
+    find_mesh_contacts_of(i);
+    treat_contacts(i);
+    if (dnum() > 0)
+      is_near_[static_cast<std::size_t>(i)] = 1;
+  });
+  forget_far_contacts();
+  for (int m = 0; m < n_FixMesh_; ++m)
+    FixMesh_list_[m]->contactHistory()->cleanUpContacts();
+}
+
+/// Particles without near triangles have no contacts.
+void FixWallGranEllipsoid::forget_far_contacts() {
+  for (std::size_t i = 0; i < is_near_.size(); ++i)
+    if (!is_near_[i])
+      history_.forget(fix_history_primitive_->array_atom[i]);
+}
+
+/// The plane nearest to the particle's centre; false if it is out of reach.
+bool FixWallGranEllipsoid::find_plane(int i, Vector3& point, Vector3& normal) {
+  double to_wall[3];
+  const double distance = primitiveWall_->resolveContact(x_[i], 0.0, to_wall);
+  if (!(distance <= radius_[i] && distance > 0.0))
+    return false;
+  point = vector(to_wall);
+  normal = (1.0 / distance) * point;
+  return true;
+}
+
+void FixWallGranEllipsoid::find_plane_contacts_of(int i) {
+  Vector3 point, normal;
+  if (!find_plane(i, point, normal))
+    return;
+  if (multisphere_) {
+    find_plane_contacts(particles_.make_pose(i), point, normal, sphere_contacts_);
+    for (const ellipsoid::SphereContact& c : sphere_contacts_)
+      add_contact(c);
+    return;
+  }
+  const Vector3 semiaxes = vector(atom->shape[i]);
+  const ellipsoid::Quaternion orientation = ellipsoid_host::quaternion(atom->quaternion[i]);
+  if (!may_touch_plane(semiaxes, orientation, normal, dot(normal, point)))
+    return;
+  const ellipsoid::ContactGeometry contact =
+      find_plane_contact(ellipsoid::make_shape(semiaxes, orientation), point, normal);
+  if (contact.status != ellipsoid::ContactStatus::separated)
+    add_contact(contact);
+}
+
+void FixWallGranEllipsoid::find_cylinder_contacts_of(int i) {
+  ellipsoid::Cylinder cylinder;
+  const double axis[3] = {cylinder_axis_ == 0 ? 1.0 : 0.0, cylinder_axis_ == 1 ? 1.0 : 0.0,
+                          cylinder_axis_ == 2 ? 1.0 : 0.0};
+  cylinder.axis = vector(axis);
+  cylinder.radius = cylinder_radius_;
+  cylinder.centre = vector(cylinder_centre_) - vector(x_[i]);
+  const Vector3 to_axis = cylinder.centre - dot(cylinder.centre, cylinder.axis) * cylinder.axis;
+  if (std::fabs(norm(to_axis) - cylinder.radius) > radius_[i])
+    return;
+  if (multisphere_) {
+    find_cylinder_contacts(particles_.make_pose(i), cylinder, sphere_contacts_);
+    for (const ellipsoid::SphereContact& c : sphere_contacts_)
+      add_contact(c);
+    return;
+  }
+  const ellipsoid::CylinderContacts found = find_cylinder_contacts(
+      ellipsoid::make_shape(vector(atom->shape[i]), ellipsoid_host::quaternion(atom->quaternion[i])),
+      cylinder);
+  for (int k = 0; k < found.count; ++k)
+    add_contact(found.contact[static_cast<std::size_t>(k)]);
+}
+
+void FixWallGranEllipsoid::find_mesh_contacts_of(int i) {
+  contacts_.clear();
+  const auto same_surface = [this](int a, int b) { return meshes_.same_surface(a, b); };
+  if (multisphere_)
+    find_mesh_contacts(particles_.make_pose(i), meshes_.triangles(), same_surface,
+                       triangle_contacts_);
+  else
+    find_mesh_contacts(ellipsoid::EllipsoidBody(vector(atom->shape[i]),
+                                                ellipsoid_host::quaternion(atom->quaternion[i])),
+                       meshes_.triangles(), same_surface, triangle_contacts_);
+  for (const ellipsoid::TriangleContact& found : triangle_contacts_) {
+    WallContact c;
+    c.normal = found.normal;
+    c.point = found.point;
+    c.overlap = found.overlap;
+    c.reduced_radius = found.radius;
+    c.part = found.sphere;
+    c.place = found.triangle;
+    c.triangle = meshes_.near(c.place).code();
+    c.wall_velocity = meshes_.velocity(c.place, found.foot);
+    contacts_.push_back(c);
+  }
+}
+
+void FixWallGranEllipsoid::add_contact(const ellipsoid::ContactGeometry& found) {
+  WallContact c;
+  c.normal = found.normal;
+  c.point = found.point;
+  c.overlap = found.overlap;
+  c.reduced_radius = found.reduced_radius;
+  contacts_.push_back(c);
+}
+
+void FixWallGranEllipsoid::add_contact(const ellipsoid::SphereContact& found) {
+  WallContact c;
+  c.normal = found.normal;
+  c.point = found.point;
+  c.overlap = found.overlap;
+  c.reduced_radius = found.reduced_radius;
+  c.part = found.sphere_i;
+  contacts_.push_back(c);
+}
+
+/// Of the wall's surface at a place in space. A cylinder that is not shifted along its axis turns about
+/// it, with the angular velocity `shear`.
+Vector3 FixWallGranEllipsoid::primitive_velocity(const Vector3& place) const {
+  double velocity[3] = {0.0, 0.0, 0.0};
+  if (!shear_)
+    return {};
+  if (cylinder_axis_ < 0 || shearDim_ == cylinder_axis_) {
+    velocity[shearDim_] = vshear_;
+    return vector(velocity);
+  }
+  velocity[cylinder_axis_] = vshear_;
+  return cross(vector(velocity), place - vector(cylinder_centre_));
+}
+
+void FixWallGranEllipsoid::treat_contacts(int i) {
+  double* row = nullptr;
+  if (dnum() > 0) {
+    if (static_cast<int>(contacts_.size()) > history_.slots())
+      error->one(FLERR, ("Fix wall/gran/ellipsoid (id " + std::string(id) + "): atom " +
+                         std::to_string(atom->tag[i]) + " touches at " +
+                         std::to_string(contacts_.size()) + " places, setting 'contacts' allows " +
+                         std::to_string(history_.slots()) + "; raise it")
+                            .c_str());
+    row = fix_history_primitive_->array_atom[i];
+    history_.assign(contacts_, row, [this](double code, int place) {
+      return meshes_.adjoining(code, place);
+    });
+  }
+  const double weight = multicontact_weight(rule_, std::max(1, static_cast<int>(contacts_.size())));
+  for (std::size_t k = 0; k < contacts_.size(); ++k)
+    apply(i, contacts_[k], row ? history_.values(row, k) : nullptr, weight);
+}
+
+/// @param[in] weight of the force in the sum
+void FixWallGranEllipsoid::apply(int i, const WallContact& contact, double* history,
+                                 double weight) {
+  LCM::SurfacesIntersectData data;
+  data.is_wall = true;
+  data.is_non_spherical = true;
+  data.i = i;
+  data.contact_history = history;
+  data.deltan = contact.overlap;
+  data.reff = data.radi = curvature_radius_i = contact.reduced_radius;
+  store(vector(x_[i]) + contact.point, data.contact_point);
+  store(-contact.normal, data.delta); // the host's normal: from the wall to the particle
+  double wall_velocity[3];
+  store(contact.wall_velocity, wall_velocity);
+  FixMeshSurface* mesh = nullptr;
+  if (contact.place >= 0) {
+    mesh = FixMesh_list_[meshes_.near(contact.place).mesh];
+    prepare_for_mesh(i, contact, mesh, data);
+  }
+  if (multisphere_)
+    set_spheres(contact.part, -1, weight);
+  const Vector3 force = vector(f_[i]), torque = vector(atom->torque[i]);
+  impl->compute_force(this, data, true, wall_velocity, nullptr,
+                      mesh ? meshes_.near(contact.place).mesh : 0, mesh ? mesh->triMesh() : nullptr,
+                      mesh ? meshes_.near(contact.place).index : 0);
+  if (weight != 1.0)
+    weigh(i, force, torque, weight);
+  if (mesh && computeflag_)
+    report_to_mesh(i, contact, vector(f_[i]) - force, wall_velocity);
+}
+
+/// What the host keeps per mesh: material, force storage, and the list of triangles touched.
+void FixWallGranEllipsoid::prepare_for_mesh(int i, const WallContact& contact, FixMeshSurface* mesh,
+                                            LCM::SurfacesIntersectData& data) {
+  data.mesh = mesh->triMesh();
+  data.fix_mesh = mesh;
+  atom_type_wall_ = mesh->atomTypeWall();
+  fix_wallforce_contact_ = mesh->meshforceContact();
+  fix_wallforce_contact_stress_ = mesh->meshforceContactStress();
+  double* unused = nullptr;
+  mesh->contactHistory()->handleContact(i, meshes_.near(contact.place).id, unused, true, false);
+}
+
+void FixWallGranEllipsoid::weigh(int i, const Vector3& force, const Vector3& torque,
+                                 double weight) {
+  const Vector3 excess = (weight - 1.0) * (vector(f_[i]) - force);
+  store(vector(f_[i]) + excess, f_[i]);
+  store(torque + weight * (vector(atom->torque[i]) - torque), atom->torque[i]);
+  if (store_force_)
+    store(vector(wallforce_[i]) + excess, wallforce_[i]);
+}
+
+/// Force and torque on the mesh, stress and wear of the triangle, drive of servo walls.
+void FixWallGranEllipsoid::report_to_mesh(int i, const WallContact& contact, const Vector3& force,
+                                          double* wall_velocity) {
+  const WallMeshes::NearTriangle& triangle = meshes_.near(contact.place);
+  double force_on_particle[3], lever[3];
+  store(force, force_on_particle);
+  store(contact.point, lever);
+  FixMesh_list_[triangle.mesh]->add_particle_contribution(i, force_on_particle, lever,
+                                                          triangle.index, wall_velocity);
+}

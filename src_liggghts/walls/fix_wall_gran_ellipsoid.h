@@ -1,0 +1,77 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// fix wall/gran/ellipsoid: walls with the exact contact geometry of ellipsoids.
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(wall/gran/ellipsoid,FixWallGranEllipsoid)
+// clang-format on
+#else
+#ifndef LMP_FIX_WALL_GRAN_ELLIPSOID_H
+#define LMP_FIX_WALL_GRAN_ELLIPSOID_H
+
+#include "wall/cylinder_contact.h"
+#include "ellipsoid_contact_caller.h"
+#include "fix_wall_gran.h"
+#include "multisphere_particles.h"
+#include "update.h"
+#include "wall_contact.h"
+#include "wall_meshes.h"
+
+#include <vector>
+
+namespace LAMMPS_NS {
+
+/// Takes the arguments of fix wall/gran. The host parses them, keeps the lists of near particles and
+/// applies the contact models; the geometry and the history of the contacts are ours.
+class FixWallGranEllipsoid : public FixWallGran,
+                             public LIGGGHTS::ContactModels::EllipsoidContactCaller {
+public:
+  FixWallGranEllipsoid(class LAMMPS* lmp, int narg, char** arg);
+  void post_create() override;
+  void init() override;
+  void post_force(int vflag) override {
+    begin_records(update->ntimestep);
+    FixWallGran::post_force(vflag);
+  }
+
+protected:
+  void post_force_primitive(int vflag) override;
+  void post_force_mesh(int vflag) override;
+
+private:
+  bool multisphere_ = false;
+  int cylinder_axis_ = -1; // 0, 1, 2; -1: plane, or mesh
+  double cylinder_radius_ = 0.0, cylinder_centre_[3] = {0.0, 0.0, 0.0};
+  ellipsoid::MulticontactRule rule_ = ellipsoid::MulticontactRule::sum;
+  ellipsoid_host::MultisphereParticles particles_; // for surface multisphere
+  ellipsoid_host::WallMeshes meshes_;
+  ellipsoid_host::WallHistory history_;
+  std::vector<ellipsoid_host::WallContact> contacts_; // of one particle with the wall
+  std::vector<ellipsoid::SphereContact> sphere_contacts_;
+  std::vector<ellipsoid::TriangleContact> triangle_contacts_;
+  std::vector<char> is_near_; // per owned particle: has near triangles
+
+  void read_cylinder(int narg, char** arg);
+  bool find_plane(int particle, ellipsoid::Vector3& point, ellipsoid::Vector3& normal);
+  void find_plane_contacts_of(int particle);
+  void find_cylinder_contacts_of(int particle);
+  void find_mesh_contacts_of(int particle);
+  void forget_far_contacts();
+  ellipsoid::Vector3 primitive_velocity(const ellipsoid::Vector3& place) const;
+  void add_contact(const ellipsoid::ContactGeometry& contact);
+  void add_contact(const ellipsoid::SphereContact& contact);
+  void treat_contacts(int particle);
+  void apply(int particle, const ellipsoid_host::WallContact& contact, double* history,
+             double weight);
+  void prepare_for_mesh(int particle, const ellipsoid_host::WallContact& contact,
+                        FixMeshSurface* mesh, LCM::SurfacesIntersectData& data);
+  void weigh(int particle, const ellipsoid::Vector3& force, const ellipsoid::Vector3& torque,
+             double weight);
+  void report_to_mesh(int particle, const ellipsoid_host::WallContact& contact,
+                      const ellipsoid::Vector3& force, double* wall_velocity);
+};
+
+} // namespace LAMMPS_NS
+
+#endif
+#endif
