@@ -2,8 +2,8 @@
 #include "contacts.h"
 
 #include "cell_grid.h"
-#include "ellipsoid/contact_batch.h"
 #include "disjoint_sets.h"
+#include "ellipsoid/contact_batch.h"
 #include "first_look.h"
 
 #include <algorithm>

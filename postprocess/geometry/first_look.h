@@ -3,8 +3,8 @@
 // Whether two ellipsoids touch, as far as a look or two tell before any search; many pairs at once.
 #pragma once
 
-#include "vectorised/batch.h"
 #include "ellipsoid/ellipsoid_contact.h"
+#include "vectorised/batch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -13,8 +13,8 @@
 // instructions.
 #pragma once
 
-#include "vectorised/batch.h"
 #include "outline_crossings.h"
+#include "vectorised/batch.h"
 
 namespace ellipsoid::post {
 

@@ -84,7 +84,8 @@ std::string html_page(const std::string& title, const std::string& body) {
   constexpr const char* style =
       "body{font:16px/1.5 sans-serif;max-width:76rem;margin:2rem auto;padding:0 1rem;color:#22262b}"
       "table{border-collapse:collapse;margin:1rem 0;font-size:.85rem;display:block;overflow-x:auto}"
-      "th,td{border-bottom:1px solid #d8dbe0;padding:.3rem .7rem;text-align:right}td{white-space:nowrap}"
+      "th,td{border-bottom:1px solid #d8dbe0;padding:.3rem "
+      ".7rem;text-align:right}td{white-space:nowrap}"
       "th:first-child,td:first-child{text-align:left}th{background:#f2f4f7}"
       "figure{margin:1.5rem 0}img{max-width:100%;border:1px solid #e3e6ea}"
       "figcaption{color:#555;font-size:.9rem}";

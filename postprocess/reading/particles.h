@@ -5,8 +5,8 @@
 #pragma once
 
 #include "frame.h"
-#include "multisphere/multisphere_template.h"
 #include "math/vector3.h"
+#include "multisphere/multisphere_template.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,8 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #pragma once
 
-#include "multisphere/multisphere_template.h"
 #include "math/vector3.h"
+#include "multisphere/multisphere_template.h"
 
 #include <map>
 #include <tuple>

@@ -23,7 +23,8 @@ ComputeContactsEllipsoid::~ComputeContactsEllipsoid() { delete[] vector; }
 void ComputeContactsEllipsoid::init() {
   pair_ = dynamic_cast<PairGranEllipsoid*>(force->pair);
   if (!pair_)
-    error->compute_error(FLERR, this, "counts contacts of pair_style gran/ellipsoid; use that style");
+    error->compute_error(FLERR, this,
+                         "counts contacts of pair_style gran/ellipsoid; use that style");
 }
 
 void ComputeContactsEllipsoid::compute_vector() {

@@ -18,13 +18,13 @@ namespace LAMMPS_NS {
 /// [4] searches (smooth) or distances between sub-spheres (multisphere): potential contacts,
 /// [5] Newton steps, [6] searches that did not converge.
 class ComputeContactsEllipsoid : public Compute {
-public:
+ public:
   ComputeContactsEllipsoid(class LAMMPS* lmp, int& iarg, int narg, char** arg);
   ~ComputeContactsEllipsoid();
   void init() override;
   void compute_vector() override;
 
-private:
+ private:
   class PairGranEllipsoid* pair_ = nullptr;
 };
 

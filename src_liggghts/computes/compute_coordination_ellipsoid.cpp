@@ -24,7 +24,8 @@ ComputeCoordinationEllipsoid::ComputeCoordinationEllipsoid(LAMMPS* lmp, int& iar
 void ComputeCoordinationEllipsoid::init() {
   pair_ = EllipsoidContactCaller::pair_of(*force);
   if (!pair_)
-    error->compute_error(FLERR, this, "counts contacts of pair_style gran/ellipsoid; use that style");
+    error->compute_error(FLERR, this,
+                         "counts contacts of pair_style gran/ellipsoid; use that style");
   walls_ = EllipsoidContactCaller::walls_of(*modify);
   pair_->keep_records();
   for (EllipsoidContactCaller* wall : walls_)

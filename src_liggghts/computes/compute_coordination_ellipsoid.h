@@ -25,13 +25,13 @@ namespace LAMMPS_NS {
 /// Per particle: [1] particles that it touches, [2] contacts with these (more than [1] for
 /// multi-spheres), [3] contacts with walls.
 class ComputeCoordinationEllipsoid : public Compute {
-public:
+ public:
   ComputeCoordinationEllipsoid(class LAMMPS* lmp, int& iarg, int narg, char** arg);
   void init() override;
   void compute_peratom() override;
   double memory_usage() override;
 
-private:
+ private:
   using EllipsoidContactCaller = LIGGGHTS::ContactModels::EllipsoidContactCaller;
 
   enum Column { touching_particles, pair_contacts, wall_contacts, column_count };

@@ -16,7 +16,7 @@ namespace LAMMPS_NS {
 /// Global scalar: sum of m_k^2 / (2 I_k) over the body axes k of all particles of the group, with
 /// the angular momentum m and the principal moments I (energy).
 class ComputeERotateEllipsoid : public Compute {
-public:
+ public:
   ComputeERotateEllipsoid(class LAMMPS* lmp, int& iarg, int narg, char** arg);
   void init() override;
   double compute_scalar() override;

@@ -8,6 +8,7 @@ using namespace LAMMPS_NS;
 void ComputePairEllipsoidLocal::init() {
   EllipsoidContactCaller* pair = EllipsoidContactCaller::pair_of(*force);
   if (!pair)
-    error->compute_error(FLERR, this, "lists contacts of pair_style gran/ellipsoid; use that style");
+    error->compute_error(FLERR, this,
+                         "lists contacts of pair_style gran/ellipsoid; use that style");
   take_callers({pair});
 }

@@ -14,7 +14,7 @@ ComputeStyle(pair/ellipsoid/local,ComputePairEllipsoidLocal)
 namespace LAMMPS_NS {
 
 class ComputePairEllipsoidLocal : public EllipsoidContactList {
-public:
+ public:
   ComputePairEllipsoidLocal(class LAMMPS* lmp, int& iarg, int narg, char** arg)
       : EllipsoidContactList(lmp, iarg, narg, arg, ContactPartner::particle) {}
   void init() override;

@@ -8,7 +8,8 @@ using namespace LAMMPS_NS;
 void ComputeWallEllipsoidLocal::init() {
   const std::vector<EllipsoidContactCaller*> walls = EllipsoidContactCaller::walls_of(*modify);
   if (walls.empty())
-    error->compute_error(FLERR, this, "lists contacts of fix wall/gran/ellipsoid; define such a "
-                                      "wall before the run");
+    error->compute_error(FLERR, this,
+                         "lists contacts of fix wall/gran/ellipsoid; define such a "
+                         "wall before the run");
   take_callers(walls);
 }

@@ -14,7 +14,7 @@ ComputeStyle(wall/ellipsoid/local,ComputeWallEllipsoidLocal)
 namespace LAMMPS_NS {
 
 class ComputeWallEllipsoidLocal : public EllipsoidContactList {
-public:
+ public:
   ComputeWallEllipsoidLocal(class LAMMPS* lmp, int& iarg, int narg, char** arg)
       : EllipsoidContactList(lmp, iarg, narg, arg, ContactPartner::wall) {}
   void init() override;

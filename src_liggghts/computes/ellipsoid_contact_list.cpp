@@ -31,16 +31,17 @@ enum class EllipsoidContactList::Property : int {
 EllipsoidContactList::EllipsoidContactList(LAMMPS* lmp, int& iarg, int narg, char** arg,
                                            ContactPartner partner)
     : Compute(lmp, iarg, narg, arg), partner_(partner) {
-  const std::vector<std::string> words{
-      "id", "pos", "contactPoint", "normal", "delta", "force", "force_normal", "force_tangential",
-      "fn", "ft", "reducedRadius", "contactArea", "spheres"};
+  const std::vector<std::string> words{"id",     "pos",   "contactPoint",  "normal",
+                                       "delta",  "force", "force_normal",  "force_tangential",
+                                       "fn",     "ft",    "reducedRadius", "contactArea",
+                                       "spheres"};
   const ellipsoid_host::CommandName name{"Compute", style, id};
   ellipsoid_host::ArgumentReader reader(error, name, narg, arg, iarg);
   while (!reader.done())
     properties_.push_back(static_cast<Property>(reader.choice("property", words)));
   if (properties_.empty())
-    properties_ = {Property::id,    Property::contact_point,  Property::normal,
-                   Property::delta, Property::force,          Property::reduced_radius,
+    properties_ = {Property::id,          Property::contact_point, Property::normal,
+                   Property::delta,       Property::force,         Property::reduced_radius,
                    Property::contact_area};
   local_flag = 1;
   size_local_rows = 0;
@@ -96,10 +97,10 @@ bool EllipsoidContactList::arrange(ContactRecord& r) const {
     return false;
   if (partner_ == ContactPartner::wall || r.particle_i < r.particle_j)
     return true;
-  if (r.is_ghost_pair) { // seen from the other side, too
+  if (r.is_ghost_pair) {                           // seen from the other side, too
     const Vector3 d = r.position_j - r.position_i; // of a particle and its own image: one of two
-    return r.particle_i == r.particle_j && (d.x > 0.0 || (d.x == 0.0 && d.y > 0.0) ||
-                                            (d.x == 0.0 && d.y == 0.0 && d.z > 0.0));
+    return r.particle_i == r.particle_j &&
+           (d.x > 0.0 || (d.x == 0.0 && d.y > 0.0) || (d.x == 0.0 && d.y == 0.0 && d.z > 0.0));
   }
   std::swap(r.particle_i, r.particle_j);
   std::swap(r.position_i, r.position_j);

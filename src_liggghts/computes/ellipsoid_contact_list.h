@@ -12,11 +12,11 @@
 namespace LAMMPS_NS {
 
 class EllipsoidContactList : public Compute {
-public:
+ public:
   void compute_local() override;
   double memory_usage() override;
 
-protected:
+ protected:
   using ContactRecord = LIGGGHTS::ContactModels::ContactRecord;
   using EllipsoidContactCaller = LIGGGHTS::ContactModels::EllipsoidContactCaller;
 
@@ -27,7 +27,7 @@ protected:
   /// The contacts of these, in this order. Called in every init().
   void take_callers(const std::vector<EllipsoidContactCaller*>& callers);
 
-private:
+ private:
   enum class Property : int; // in the order of the words on the pages
 
   ContactPartner partner_;

@@ -40,7 +40,7 @@ std::map<std::FILE*, Target>& open_files() {
 
 /// FNV-1a, 64 bits: one changed byte always changes it.
 class Checksum {
-public:
+ public:
   void add(const void* data, std::size_t size) {
     const auto* bytes = static_cast<const unsigned char*>(data);
     for (std::size_t k = 0; k < size; ++k)
@@ -48,7 +48,7 @@ public:
   }
   std::uint64_t value() const { return value_; }
 
-private:
+ private:
   std::uint64_t value_ = 14695981039346656037u;
 };
 

@@ -9,8 +9,8 @@
 #include "error.h"
 #include "fix.h"
 #include "global_properties.h"
-#include "property_registry.h"
 #include "math/vector3.h"
+#include "property_registry.h"
 
 #include <string>
 #include <vector>
@@ -82,17 +82,17 @@ struct CommandName {
   std::string style, id;
 };
 
-/// Reads the arguments of a command one after the other and checks each: every complaint is one line
-/// that says the keyword, the given value, the allowed range and the remedy.
+/// Reads the arguments of a command one after the other and checks each: every complaint is one
+/// line that says the keyword, the given value, the allowed range and the remedy.
 class ArgumentReader {
-public:
+ public:
   /// @param[in] first index of the first argument to read
   ArgumentReader(LAMMPS_NS::Error* error, LAMMPS_NS::Fix* fix, int count, char** arguments,
                  int first)
       : ArgumentReader(error, CommandName{"Fix", fix->style, fix->id}, count, arguments, first) {}
   /// For arguments that are read before the fix exists.
-  ArgumentReader(LAMMPS_NS::Error* error, const std::string& style, const std::string& id, int count,
-                 char** arguments, int first)
+  ArgumentReader(LAMMPS_NS::Error* error, const std::string& style, const std::string& id,
+                 int count, char** arguments, int first)
       : ArgumentReader(error, CommandName{"Fix", style, id}, count, arguments, first) {}
   ArgumentReader(LAMMPS_NS::Error* error, const CommandName& name, int count, char** arguments,
                  int first)
@@ -116,7 +116,7 @@ public:
   /// Stops with one line.
   [[noreturn]] void complain(const std::string& message) const;
 
-private:
+ private:
   LAMMPS_NS::Error* error_;
   std::string title_;
   int count_;

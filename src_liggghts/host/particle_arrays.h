@@ -12,15 +12,15 @@
 
 namespace LIGGGHTS {
 
-/// Rows of `Width` numbers, owned particles first, then ghosts. Good until particles come, go or change
-/// places.
+/// Rows of `Width` numbers, owned particles first, then ghosts. Good until particles come, go or
+/// change places.
 template <int Width> class ParticleRows {
-public:
+ public:
   ParticleRows() = default;
   explicit ParticleRows(double** rows) : first_(rows ? rows[0] : nullptr) {}
   double* operator[](int i) const { return first_ + Width * static_cast<std::ptrdiff_t>(i); }
 
-private:
+ private:
   double* first_ = nullptr;
 };
 
@@ -29,9 +29,9 @@ struct ParticleArrays {
   ParticleArrays() = default;
   explicit ParticleArrays(const LAMMPS_NS::Atom& atom)
       : x(atom.x), v(atom.v), omega(atom.omega), f(atom.f), torque(atom.torque),
-        angmom(atom.angmom), shape(atom.shape), inertia(atom.inertia),
-        quaternion(atom.quaternion), radius(atom.radius), mass(atom.rmass), type(atom.type),
-        mask(atom.mask), owned(atom.nlocal) {}
+        angmom(atom.angmom), shape(atom.shape), inertia(atom.inertia), quaternion(atom.quaternion),
+        radius(atom.radius), mass(atom.rmass), type(atom.type), mask(atom.mask),
+        owned(atom.nlocal) {}
 
   ParticleRows<3> x, v, omega, f, torque, angmom, shape, inertia;
   ParticleRows<4> quaternion;

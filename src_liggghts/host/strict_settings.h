@@ -16,7 +16,7 @@ namespace ContactModels {
 /// Keyword `contacts K`: simultaneous contacts of one pair of particles (or of a particle and a
 /// wall) that have a place in the history.
 class ContactsSetting : public Setting {
-public:
+ public:
   typedef int value_type;
   static constexpr int standard = 8, largest = 64;
 
@@ -41,7 +41,7 @@ public:
 
   void print_value(FILE* out) override { fprintf(out, "%d", current_.getValue()); }
 
-private:
+ private:
   ValuePropagator<int> current_;
 };
 

@@ -1,8 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Which combination of contact models the pair loop hands to the kernel's ContactLawBatch as a whole
-// (law_batch.h), and the material tables that it takes: those of the host's properties. All other
-// combinations go through the host's contact models, contact by contact.
+// Which combination of contact models the pair loop hands to the kernel's ContactLawBatch as a
+// whole (law_batch.h), and the material tables that it takes: those of the host's properties. All
+// other combinations go through the host's contact models, contact by contact.
 #ifndef BATCHED_LAW_H
 #define BATCHED_LAW_H
 
@@ -17,9 +17,7 @@ namespace LIGGGHTS {
 namespace ContactModels {
 
 /// hertz/viscous with history/viscous and nothing else: the paper's law.
-template <typename Model> struct IsPaperLaw {
-  static constexpr bool value = false;
-};
+template <typename Model> struct IsPaperLaw { static constexpr bool value = false; };
 template <int Surface>
 struct IsPaperLaw<ContactModel<
     GranStyle<HERTZ_VISCOUS, TANGENTIAL_HISTORY_VISCOUS, COHESION_OFF, ROLLING_OFF, Surface>>> {
@@ -28,7 +26,7 @@ struct IsPaperLaw<ContactModel<
 
 /// Tables per pair of types.
 class PaperLawTables {
-public:
+ public:
   /// After the models have registered their properties.
   void connect(PropertyRegistry& registry) {
     const char* caller = "pair_style gran/ellipsoid";
@@ -54,7 +52,7 @@ public:
     return of_types_[row_ * static_cast<std::size_t>(itype) + static_cast<std::size_t>(jtype)];
   }
 
-private:
+ private:
   double** effective_modulus_ = nullptr;
   double** effective_shear_modulus_ = nullptr;
   double** normal_damping_ = nullptr;

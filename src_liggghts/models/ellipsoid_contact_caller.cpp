@@ -32,12 +32,12 @@ std::vector<EllipsoidContactCaller*> EllipsoidContactCaller::walls_of(const Modi
   return walls;
 }
 
-const std::vector<ContactRecord>& EllipsoidContactCaller::records_of(Compute& compute,
-                                                                     const Update& update,
-                                                                     Error& error) const {
+const std::vector<ContactRecord>&
+EllipsoidContactCaller::records_of(Compute& compute, const Update& update, Error& error) const {
   if (records_step_ != update.ntimestep)
-    error.compute_error(FLERR, &compute, "the forces of this time step are not computed; use it in "
-                                         "a 'run' (also of 0 steps)");
+    error.compute_error(FLERR, &compute,
+                        "the forces of this time step are not computed; use it in "
+                        "a 'run' (also of 0 steps)");
   return records_;
 }
 
@@ -65,7 +65,8 @@ void EllipsoidContactCaller::add_record(SurfacesIntersectData contact, ellipsoid
   r.force = weight_ * force;
   r.overlap = contact.deltan;
   r.reduced_radius = contact.reff;
-  r.area = area_factor * M_PI * contact.reff * contact.deltan; // Hertz: a circle of radius sqrt(R h)
+  r.area =
+      area_factor * M_PI * contact.reff * contact.deltan; // Hertz: a circle of radius sqrt(R h)
   records_.push_back(r);
 }
 

@@ -24,24 +24,25 @@ namespace ContactModels {
 /// One contact as it acted in the last time step.
 struct ContactRecord {
   int index_i = 0, index_j = 0; ///< local indices on this rank; index_j only of particles
-  int particle_i = 0; ///< id of the first particle
+  int particle_i = 0;           ///< id of the first particle
   int particle_j = 0; ///< id of the second; of the triangle at mesh walls, -1 at other walls
   int group_mask = 0; ///< groups that both particles (the one at a wall) belong to
-  bool is_ghost_pair = false; ///< the second is a ghost: its rank has the contact, too
+  bool is_ghost_pair = false;     ///< the second is a ghost: its rank has the contact, too
   int sphere_i = 0, sphere_j = 0; ///< numbers of the sub-spheres from 1; 0: none
-  ellipsoid::Vector3 position_i, position_j; ///< centres; at walls both that of the particle (length)
-  ellipsoid::Vector3 point;                  ///< middle of the overlap, in space (length)
-  ellipsoid::Vector3 normal;                 ///< unit, from the first to the second or the wall
-  ellipsoid::Vector3 force;                  ///< on the first, of all contact models together
-  double overlap = 0.0;                      ///< h (length)
-  double reduced_radius = 0.0;               ///< R of (19), of the spheres for multi-spheres (length)
-  double area = 0.0;                         ///< of the contact (length^2)
+  ellipsoid::Vector3 position_i,
+      position_j;              ///< centres; at walls both that of the particle (length)
+  ellipsoid::Vector3 point;    ///< middle of the overlap, in space (length)
+  ellipsoid::Vector3 normal;   ///< unit, from the first to the second or the wall
+  ellipsoid::Vector3 force;    ///< on the first, of all contact models together
+  double overlap = 0.0;        ///< h (length)
+  double reduced_radius = 0.0; ///< R of (19), of the spheres for multi-spheres (length)
+  double area = 0.0;           ///< of the contact (length^2)
 };
 
 /// Told apart from the host's own pair styles and walls by this base class: only callers that
 /// have it fill in the contact geometry which the surface models of ellipsoids expect.
 class EllipsoidContactCaller {
-public:
+ public:
   virtual ~EllipsoidContactCaller() {}
   /// Curvature radii (length) of the contact in work: of i, and of j (not used at walls).
   double curvature_radius_i = 0.0, curvature_radius_j = 0.0;
@@ -49,8 +50,8 @@ public:
   /// Area of the contact in work over pi R h; 1 where the contact is a circle.
   double area_factor = 1.0;
 
-  /// Of multi-spheres: the spheres of the contact in work, counted from 0 (-1: none), and the weight
-  /// of its force in the sum.
+  /// Of multi-spheres: the spheres of the contact in work, counted from 0 (-1: none), and the
+  /// weight of its force in the sum.
   void set_spheres(int sphere_i, int sphere_j, double weight) {
     sphere_i_ = sphere_i + 1;
     sphere_j_ = sphere_j + 1;
@@ -80,7 +81,7 @@ public:
   void add_record(SurfacesIntersectData contact, ellipsoid::Vector3 force, LAMMPS_NS::Atom& atom,
                   LAMMPS_NS::TriMesh* mesh);
 
-private:
+ private:
   bool keeps_records_ = false;
   int sphere_i_ = 0, sphere_j_ = 0;
   double weight_ = 1.0;

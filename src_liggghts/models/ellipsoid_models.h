@@ -59,7 +59,8 @@ inline std::string unsuitable_setting(int count, char** arguments) {
     const std::string keyword = arguments[k];
     if ((keyword == "computeElasticPotential" || keyword == "computeDissipatedEnergy") &&
         std::string(arguments[k + 1]) == "on")
-      return "keyword '" + keyword + "' has the value 'on', which leaves out the energy of rotation " +
+      return "keyword '" + keyword +
+             "' has the value 'on', which leaves out the energy of rotation " +
              "of ellipsoids; allowed is 'off'";
   }
   return {};

@@ -18,7 +18,7 @@ namespace LIGGGHTS {
 namespace ContactModels {
 
 class EllipsoidSurface : public SurfaceModelBase {
-public:
+ public:
   EllipsoidSurface(LAMMPS* lmp, IContactHistorySetup* hsetup, class ContactModelBase* cmb,
                    const char* name)
       : SurfaceModelBase(lmp, hsetup, cmb), setup_(hsetup), name_(name) {}
@@ -55,10 +55,10 @@ public:
   inline void tally_pp(double, int, int, int) {}
   inline void tally_pw(double, int, int, int) {}
 
-protected:
+ protected:
   EllipsoidContactCaller& caller() { return *caller_; }
 
-private:
+ private:
   /// What models say of radii and distances is about spheres with the radii of the contact at the
   /// distance that gives its overlap. (The host's wall has put the sphere of equal volume.)
   void set_local_spheres(SurfacesIntersectData& sidata) const {

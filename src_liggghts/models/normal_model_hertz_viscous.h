@@ -10,10 +10,10 @@ NORMAL_MODEL(HERTZ_VISCOUS,hertz/viscous,40)
 #define NORMAL_MODEL_HERTZ_VISCOUS_H_
 
 #include "atom.h"
-#include "law/contact_law.h"
 #include "contact_models.h"
 #include "ellipsoid_host.h"
 #include "global_properties.h"
+#include "law/contact_law.h"
 #include "normal_model_base.h"
 
 #include <cmath>
@@ -22,7 +22,7 @@ namespace LIGGGHTS {
 namespace ContactModels {
 
 template <> class NormalModel<HERTZ_VISCOUS> : public NormalModelBase {
-public:
+ public:
   NormalModel(LAMMPS* lmp, IContactHistorySetup* hsetup, class ContactModelBase* c)
       : NormalModelBase(lmp, hsetup, c) {}
 
@@ -63,7 +63,8 @@ public:
     if (limit_force_ && sidata.Fn < 0.0)
       sidata.Fn = 0.0;
     ellipsoid_host::add_contact_force(
-        sidata, atom->x, {sidata.Fn * sidata.en[0], sidata.Fn * sidata.en[1], sidata.Fn * sidata.en[2]},
+        sidata, atom->x,
+        {sidata.Fn * sidata.en[0], sidata.Fn * sidata.en[1], sidata.Fn * sidata.en[2]},
         ellipsoid_host::TorqueArm::none_on_spheres, i_forces, j_forces);
   }
 
@@ -75,7 +76,7 @@ public:
   void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
 
-private:
+ private:
   double** effective_modulus_ = nullptr;       // E* per type pair (pressure)
   double** effective_shear_modulus_ = nullptr; // G* per type pair (pressure)
   double** damping_ = nullptr;                 // eta_n per type pair (1/time)

@@ -21,7 +21,7 @@ namespace ContactModels {
 
 /// Keyword `multicontact sum|average`.
 class MulticontactSetting : public EnumSetting<ellipsoid::MulticontactRule> {
-public:
+ public:
   MulticontactSetting(std::string name, ellipsoid::MulticontactRule)
       : EnumSetting<ellipsoid::MulticontactRule>(name) {
     addOption("sum", ellipsoid::MulticontactRule::sum);
@@ -31,7 +31,7 @@ public:
 };
 
 template <> class SurfaceModel<SURFACE_MULTISPHERE> : public EllipsoidSurface {
-public:
+ public:
   SurfaceModel(LAMMPS* lmp, IContactHistorySetup* hsetup, class ContactModelBase* cmb)
       : EllipsoidSurface(lmp, hsetup, cmb, "multisphere") {}
 
@@ -44,11 +44,10 @@ public:
   /// The callers ask for these two by the only way that the host's classes offer: named integers.
   inline void postSettings(IContactHistorySetup*, ContactModelBase* cmb) {
     cmb->add_history_offset("contacts", contacts_);
-    cmb->add_history_offset("multicontact",
-                            rule_ == ellipsoid::MulticontactRule::average ? 1 : 0);
+    cmb->add_history_offset("multicontact", rule_ == ellipsoid::MulticontactRule::average ? 1 : 0);
   }
 
-private:
+ private:
   int contacts_ = ContactsSetting::standard;
   ellipsoid::MulticontactRule rule_ = ellipsoid::MulticontactRule::sum;
 };

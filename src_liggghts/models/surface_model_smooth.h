@@ -1,9 +1,9 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Surface model smooth: contacts of smooth ellipsoids. The geometry (normal, contact point, overlap,
-// reduced radius) is found by pair_style gran/ellipsoid and fix wall/gran/ellipsoid before the
-// contact models are called; what is left here is the relative motion at the contact point, and, on
-// demand, the radius that Hertz's solution for elliptic contacts takes.
+// Surface model smooth: contacts of smooth ellipsoids. The geometry (normal, contact point,
+// overlap, reduced radius) is found by pair_style gran/ellipsoid and fix wall/gran/ellipsoid before
+// the contact models are called; what is left here is the relative motion at the contact point,
+// and, on demand, the radius that Hertz's solution for elliptic contacts takes.
 #ifdef SURFACE_MODEL
 // clang-format off
 SURFACE_MODEL(SURFACE_SMOOTH,smooth,40)
@@ -25,7 +25,7 @@ namespace LIGGGHTS {
 namespace ContactModels {
 
 template <> class SurfaceModel<SURFACE_SMOOTH> : public EllipsoidSurface {
-public:
+ public:
   SurfaceModel(LAMMPS* lmp, IContactHistorySetup* hsetup, class ContactModelBase* cmb)
       : EllipsoidSurface(lmp, hsetup, cmb, "smooth") {}
 
@@ -34,8 +34,8 @@ public:
     settings.registerSetting<ContactsSetting>("contacts", contacts_, ContactsSetting::standard);
   }
 
-  /// The only way that the host's classes offer: named integers. Walls of triangles and the pair loop
-  /// ask for them.
+  /// The only way that the host's classes offer: named integers. Walls of triangles and the pair
+  /// loop ask for them.
   inline void postSettings(IContactHistorySetup*, ContactModelBase* cmb) {
     cmb->add_history_offset("contacts", contacts_);
     cmb->add_history_offset("ellipticalContact", elliptical_);
@@ -54,7 +54,7 @@ public:
     EllipsoidSurface::surfacesIntersect(sidata, i_forces, j_forces);
   }
 
-private:
+ private:
   static constexpr int no_partner = -1;
   bool elliptical_ = false;
   int contacts_ = ContactsSetting::standard;

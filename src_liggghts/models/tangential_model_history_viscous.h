@@ -10,10 +10,10 @@ TANGENTIAL_MODEL(TANGENTIAL_HISTORY_VISCOUS,history/viscous,40)
 #define TANGENTIAL_MODEL_HISTORY_VISCOUS_H_
 
 #include "atom.h"
-#include "law/contact_law.h"
 #include "contact_models.h"
 #include "ellipsoid_host.h"
 #include "global_properties.h"
+#include "law/contact_law.h"
 #include "tangential_model_base.h"
 #include "update.h"
 
@@ -25,7 +25,7 @@ namespace ContactModels {
 
 /// Keyword `direction displacement|velocity`.
 class SlipDirectionSetting : public EnumSetting<ellipsoid::SlipDirection> {
-public:
+ public:
   SlipDirectionSetting(std::string name, ellipsoid::SlipDirection)
       : EnumSetting<ellipsoid::SlipDirection>(name) {
     addOption("displacement", ellipsoid::SlipDirection::displacement);
@@ -43,7 +43,7 @@ public:
 };
 
 template <> class TangentialModel<TANGENTIAL_HISTORY_VISCOUS> : public TangentialModelBase {
-public:
+ public:
   TangentialModel(LAMMPS* lmp, IContactHistorySetup* hsetup, class ContactModelBase* c)
       : TangentialModelBase(lmp, hsetup, c) {
     spring_offset_ = hsetup->add_history_value("springx", "1");
@@ -83,11 +83,11 @@ public:
     if (update_history)
       ellipsoid::advance_spring(spring, velocity, update->dt, normal);
     const int itype = sidata.itype, jtype = sidata.jtype;
-    const ellipsoid::Vector3 force = ellipsoid::tangential_force(
-        direction_,
-        {sidata.kt, damping_[itype][jtype] * sidata.meff,
-         friction_[itype][jtype] * std::fabs(sidata.Fn), velocity},
-        spring);
+    const ellipsoid::Vector3 force =
+        ellipsoid::tangential_force(direction_,
+                                    {sidata.kt, damping_[itype][jtype] * sidata.meff,
+                                     friction_[itype][jtype] * std::fabs(sidata.Fn), velocity},
+                                    spring);
     if (update_history) {
       stored[0] = spring.x;
       stored[1] = spring.y;
@@ -110,7 +110,7 @@ public:
   void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
 
-private:
+ private:
   double** friction_ = nullptr; // mu per type pair
   double** damping_ = nullptr;  // eta_t per type pair (1/time)
   int spring_offset_ = 0;

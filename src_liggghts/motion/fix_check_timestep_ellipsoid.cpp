@@ -3,15 +3,15 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "ellipsoid_host.h"
 #include "ellipsoid/ellipsoid_properties.h"
+#include "ellipsoid_host.h"
 #include "error.h"
 #include "fix_property_atom.h"
 #include "fix_property_global.h"
+#include "law/time_scales.h"
 #include "modify.h"
 #include "multisphere_particles.h"
 #include "neighbor.h"
-#include "law/time_scales.h"
 #include "update.h"
 
 #include <algorithm>

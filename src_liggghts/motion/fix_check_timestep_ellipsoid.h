@@ -23,7 +23,7 @@ namespace LAMMPS_NS {
 /// Global vector: time step over the smallest Rayleigh time, time step over the shortest duration
 /// of a collision, largest relative way in a step over the skin.
 class FixCheckTimestepEllipsoid : public Fix {
-public:
+ public:
   FixCheckTimestepEllipsoid(class LAMMPS* lmp, int narg, char** arg);
   ~FixCheckTimestepEllipsoid();
   int setmask() override;
@@ -31,7 +31,7 @@ public:
   void end_of_step() override;
   double compute_vector(int n) override { return fractions_[n]; }
 
-private:
+ private:
   double limits_[3] = {0.0, 0.0, 1.0}; // of the fractions
   double fractions_[3] = {0.0, 0.0, 0.0};
   bool warns_ = true, stops_ = false;

@@ -6,10 +6,10 @@
 #include "error.h"
 #include "fix_property_atom.h"
 #include "force.h"
-#include "motion/gear_predictor_corrector.h"
 #include "modify.h"
-#include "neighbor.h"
+#include "motion/gear_predictor_corrector.h"
 #include "motion/rigid_body.h"
+#include "neighbor.h"
 #include "update.h"
 
 #include <algorithm>
@@ -19,10 +19,10 @@
 #include <vector>
 
 using namespace LAMMPS_NS;
-using LIGGGHTS::ParticleArrays;
 using ellipsoid_host::quaternion;
 using ellipsoid_host::store;
 using ellipsoid_host::vector;
+using LIGGGHTS::ParticleArrays;
 
 namespace {
 
@@ -176,9 +176,10 @@ void FixNVEEllipsoid::know_inertia() {
 
 ellipsoid::PlanarRows FixNVEEllipsoid::planar_rows() const {
   const ParticleArrays p(*atom);
-  return {p.x[0],      p.v[0],          p.f[0], p.omega[0],
-          p.angmom[0], p.torque[0],     p.quaternion[0],
-          p.mass,      inverse_inertia_.data(), p.mask, groupbit};
+  return {p.x[0],          p.v[0],      p.f[0],
+          p.omega[0],      p.angmom[0], p.torque[0],
+          p.quaternion[0], p.mass,      inverse_inertia_.data(),
+          p.mask,          groupbit};
 }
 
 /// Derivatives of a particle that has none: of constant force, and of a torque that is constant in

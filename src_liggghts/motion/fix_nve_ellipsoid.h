@@ -10,9 +10,9 @@ FixStyle(nve/ellipsoid,FixNVEEllipsoid)
 #define LMP_FIX_NVE_ELLIPSOID_H
 
 #include "fix_nve.h"
-#include "particle_arrays.h"
 #include "motion/planar_motion.h"
 #include "motion/rotation_batch.h"
+#include "particle_arrays.h"
 
 #include <cstddef>
 #include <vector>
@@ -29,7 +29,7 @@ namespace LAMMPS_NS {
 /// order. `integrator gear`: Gear's predictor-corrector for the positions and for the quaternions
 /// (for the angle, when planar); the derivatives are kept per atom in two fixes property/atom.
 class FixNVEEllipsoid : public FixNVE {
-public:
+ public:
   FixNVEEllipsoid(class LAMMPS* lmp, int narg, char** arg);
   void post_create() override;
   void pre_delete(bool unfixed) override;
@@ -41,7 +41,7 @@ public:
   void final_integrate_respa(int level, int loop) override;
   void reset_dt() override;
 
-private:
+ private:
   bool planar_ = false; // motion in the xy plane only
   ellipsoid::RotationBatch turns_;
   int turning_[ellipsoid::RotationBatch::capacity]; // particles of the batch

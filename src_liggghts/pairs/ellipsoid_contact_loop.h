@@ -19,8 +19,8 @@
 #include "neighbor.h"
 #include "pair_gran_ellipsoid.h"
 #include "particle_arrays.h"
-#include "settings.h"
 #include "separation/sleeping_pairs.h"
+#include "settings.h"
 #include "update.h"
 
 #include <algorithm>
@@ -187,8 +187,8 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
     }
   }
 
-  /// When a run is set up forces are evaluated without a step: this leaves no trace, so that a run may be
-  /// set up any number of times.
+  /// When a run is set up forces are evaluated without a step: this leaves no trace, so that a run
+  /// may be set up any number of times.
   bool is_set_up() const { return !(contact_.computeflag && contact_.shearupdate); }
 
   /// Returns the number of pairs in the neighbour lists.
@@ -342,7 +342,7 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
     int i, j;
     int* flag;
     ellipsoid::Vector3 distance; ///< x_j - x_i (length)
-    bool is_flagged = false; ///< by the last step
+    bool is_flagged = false;     ///< by the last step
   };
 
   /// One contact.
@@ -478,8 +478,8 @@ class EllipsoidContactLoop : protected Pointers, public PairStyles::IGranularPai
     const Touch touch{-place.normal,    place.lever_i,    place.overlap,   place.reduced_radius,
                       contact.radius_i, contact.radius_j, contact.history, contact.weight,
                       contact.sphere_i, contact.sphere_j};
-    const SurfacesIntersectData c = record(
-        {contact.i, contact.j, contact.flag, centre_distance(contact.i, contact.j)}, touch);
+    const SurfacesIntersectData c =
+        record({contact.i, contact.j, contact.flag, centre_distance(contact.i, contact.j)}, touch);
     ForceData force_i, force_j;
     ellipsoid_host::store(touch.weight * action.force, force_i.delta_F);
     ellipsoid_host::store(-touch.weight * action.force, force_j.delta_F);

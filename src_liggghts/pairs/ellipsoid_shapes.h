@@ -1,15 +1,15 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // The ellipsoids of owned and ghost particles as the contact search takes them: A = R diag R^T,
-// made once per particle and time step: all of them together, or only those that are asked for where
-// most particles touch nothing.
+// made once per particle and time step: all of them together, or only those that are asked for
+// where most particles touch nothing.
 #ifndef ELLIPSOID_SHAPES_H_
 #define ELLIPSOID_SHAPES_H_
 
 #include "ellipsoid/ellipsoid_contact.h"
+#include "ellipsoid/shape_batch.h"
 #include "ellipsoid_host.h"
 #include "particle_arrays.h"
-#include "ellipsoid/shape_batch.h"
 
 #include <cstddef>
 #include <vector>

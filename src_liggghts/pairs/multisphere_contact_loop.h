@@ -10,8 +10,8 @@
 #define MULTISPHERE_CONTACT_LOOP_H_
 
 #include "ellipsoid_contact_loop.h"
-#include "multisphere_particles.h"
 #include "multisphere/multisphere_watch.h"
+#include "multisphere_particles.h"
 
 namespace LIGGGHTS {
 
@@ -44,16 +44,16 @@ class MultisphereContactLoop : public EllipsoidContactLoop<MultisphereContactLoo
   static constexpr bool asks_flags = true;
   using SpherePair = ellipsoid::ContactWatch::SpherePair;
 
-  /// A search finds the spheres that may touch within so many time steps if motions change as usual;
-  /// within fewer steps for fine chains, where a gap has the more spheres the wider it is. It is no
-  /// nearer nor farther than these shares of both radii of the bodies' middles.
+  /// A search finds the spheres that may touch within so many time steps if motions change as
+  /// usual; within fewer steps for fine chains, where a gap has the more spheres the wider it is.
+  /// It is no nearer nor farther than these shares of both radii of the bodies' middles.
   static constexpr double look_ahead = 50.0, look_ahead_of_chain = 500.0;
   static constexpr double smallest_gap_share = 1e-3, largest_gap_share = 0.1;
 
   ellipsoid_host::MultisphereParticles particles_;
   ellipsoid::ContactWatch watch_;
   std::vector<ellipsoid::ContactWatch::Touching> touching_; // room for all spheres of a pair
-  int found_ = 0; // touching spheres of the pair at hand
+  int found_ = 0;                                           // touching spheres of the pair at hand
   int slot_values_ = 0, slots_ = 0;
   ellipsoid::MulticontactRule rule_ = ellipsoid::MulticontactRule::sum;
 
@@ -92,9 +92,8 @@ class MultisphereContactLoop : public EllipsoidContactLoop<MultisphereContactLoo
               double* history) {
     const int i = pair.i, j = pair.j;
     const double approach = clocks().approach(i, j);
-    const ellipsoid::ContactWatch::Search result =
-        watch_.search(pair.place, particles_.pose(i), particles_.pose(j), distance,
-                      search_gap(i, j, approach));
+    const ellipsoid::ContactWatch::Search result = watch_.search(
+        pair.place, particles_.pose(i), particles_.pose(j), distance, search_gap(i, j, approach));
     counts_.values[ContactCounts::tested] += this->share(j) * result.tested;
     if (flag)
       recall_slots(i, j, pair.place, flag, history);

@@ -123,8 +123,9 @@ void PairGranEllipsoid::init_style() {
                       "granular/ellipsoid");
   constexpr int neighbor_style_multi = 2; // MULTI of the host's neighbor.cpp
   if (neighbor->style == neighbor_style_multi)
-    error->all(FLERR, "pair_style gran/ellipsoid: with 'neighbor ... multi' the host makes no lists for "
-                      "granular pair styles; use 'bin' or 'nsq'");
+    error->all(FLERR,
+               "pair_style gran/ellipsoid: with 'neighbor ... multi' the host makes no lists for "
+               "granular pair styles; use 'bin' or 'nsq'");
   check_pages();
   ellipsoid_host::check_particles(lmp, "pair_style gran/ellipsoid");
   PairGran::init_style();
@@ -133,14 +134,15 @@ void PairGranEllipsoid::init_style() {
                       "remove that fix");
 }
 
-/// The host keeps the histories of all partners of a particle in one page, and does not look whether
-/// they fit: it crashes when the neighbour lists are rebuilt.
+/// The host keeps the histories of all partners of a particle in one page, and does not look
+/// whether they fit: it crashes when the neighbour lists are rebuilt.
 void PairGranEllipsoid::check_pages() {
   const long long needed = static_cast<long long>(neighbor->oneatom) * dnum_pair();
   if (needed <= neighbor->pgsize)
     return;
   error->all(FLERR, ("pair_style gran/ellipsoid: the history of a pair has " +
-                     std::to_string(dnum_pair()) + " values (setting 'contacts'), 'neigh_modify page' is " +
+                     std::to_string(dnum_pair()) +
+                     " values (setting 'contacts'), 'neigh_modify page' is " +
                      std::to_string(neighbor->pgsize) + ", needed are " + std::to_string(needed) +
                      ": raise 'neigh_modify page' to that, or lower 'neigh_modify one' to " +
                      std::to_string(neighbor->pgsize / dnum_pair()))

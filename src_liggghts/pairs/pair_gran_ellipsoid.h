@@ -18,13 +18,20 @@ namespace LAMMPS_NS {
 
 /// What the contact search did in the last time step, on this rank.
 struct ContactCounts {
-  enum Item { touching_pairs, contacts, near_pairs, tested, newton_steps, not_converged, item_count };
+  enum Item {
+    touching_pairs,
+    contacts,
+    near_pairs,
+    tested,
+    newton_steps,
+    not_converged,
+    item_count
+  };
   double values[item_count] = {};
 };
 
-class PairGranEllipsoid : public PairGran,
-                          public LIGGGHTS::ContactModels::EllipsoidContactCaller {
-public:
+class PairGranEllipsoid : public PairGran, public LIGGGHTS::ContactModels::EllipsoidContactCaller {
+ public:
   explicit PairGranEllipsoid(class LAMMPS* lmp);
   ~PairGranEllipsoid();
 
@@ -45,14 +52,14 @@ public:
   /// Gives the history registered so far `times` slots in all.
   void repeat_history(int times);
 
-protected:
+ protected:
   void compute_force(int eflag, int vflag, int addflag) override {
     if (computeflag_)
       begin_records(update->ntimestep);
     impl_->compute_force(this, eflag, vflag, addflag);
   }
 
-private:
+ private:
   LIGGGHTS::PairStyles::IGranularPairStyle* impl_ = nullptr;
   ContactCounts counts_;
   bool warned_ = false;

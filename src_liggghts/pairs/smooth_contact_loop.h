@@ -35,8 +35,7 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
   bool flags_are_set_ = false; // of all pairs that touched in the last step
 
   bool prepare() {
-    const bool new_lists =
-        motions_.update(*this->atom, this->update->dt, this->neighbor->ago == 0);
+    const bool new_lists = motions_.update(*this->atom, this->update->dt, this->neighbor->ago == 0);
     shapes_.begin_step(*this->atom, new_lists);
     flags_are_set_ = !new_lists;
     return new_lists;
@@ -135,15 +134,14 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     waiting.j = pair.j;
     waiting.flag = &flag;
     waiting.history = history;
-    batch_.add(shape(pair.i), shape(pair.j), distance,
-               -ellipsoid_host::vector(&history[normal_x]));
+    batch_.add(shape(pair.i), shape(pair.j), distance, -ellipsoid_host::vector(&history[normal_x]));
     if (batch_.full())
       finish();
     return true;
   }
 
-  /// All others start from scratch: what a new contact is does not depend on what happened before it,
-  /// nor on whether the run was interrupted.
+  /// All others start from scratch: what a new contact is does not depend on what happened before
+  /// it, nor on whether the run was interrupted.
   __attribute__((noinline)) bool treat_new_contact(const typename Base::ListPair& pair, int& flag,
                                                    double* history) {
     const int i = pair.i, j = pair.j;
@@ -198,7 +196,8 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     this->law_batch_.take_places(batch_);
     for (int k = 0; k < batch_.size(); ++k) {
       PairAtHand& pair = waiting_[k];
-      if (!touches(pair, {batch_.normal(k), batch_.steps(k), batch_.is_apart(k), batch_.has_converged(k)},
+      if (!touches(pair,
+                   {batch_.normal(k), batch_.steps(k), batch_.is_apart(k), batch_.has_converged(k)},
                    counts)) {
         pair.history = nullptr;
         continue;
@@ -212,8 +211,15 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
     }
     this->apply_contacts([this](int k) -> typename Base::WaitingContact {
       const PairAtHand& pair = waiting_[k];
-      return {pair.i, pair.j, pair.flag, pair.history, 1.0, batch_.curvature_radius_i(k),
-              batch_.curvature_radius_j(k), -1, -1};
+      return {pair.i,
+              pair.j,
+              pair.flag,
+              pair.history,
+              1.0,
+              batch_.curvature_radius_i(k),
+              batch_.curvature_radius_j(k),
+              -1,
+              -1};
     });
   }
 
@@ -265,9 +271,9 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
   void treat_result(const PairAtHand& pair, const ellipsoid::ContactGeometry& geometry,
                     Counts& counts) {
     using Status = ellipsoid::ContactStatus;
-    if (!touches(pair, {geometry.normal, static_cast<double>(geometry.iterations),
-                        geometry.status == Status::separated,
-                        geometry.status != Status::not_converged},
+    if (!touches(pair,
+                 {geometry.normal, static_cast<double>(geometry.iterations),
+                  geometry.status == Status::separated, geometry.status != Status::not_converged},
                  counts))
       return;
     treat_contact(pair, geometry);
@@ -289,9 +295,9 @@ class SmoothContactLoop : public EllipsoidContactLoop<SmoothContactLoop<Model>, 
       *pair.flag |= CONTACT_SURFACE_MODEL;
     if (!this->is_set_up() && !pair.touched)
       pair.history[was_touching] = 1.0;
-    this->add_contact(touching, {geometry.normal, geometry.point, geometry.overlap,
-                                 geometry.reduced_radius, geometry.curvature_radius_i,
-                                 geometry.curvature_radius_j, pair.history});
+    this->add_contact(touching,
+                      {geometry.normal, geometry.point, geometry.overlap, geometry.reduced_radius,
+                       geometry.curvature_radius_i, geometry.curvature_radius_j, pair.history});
   }
 };
 

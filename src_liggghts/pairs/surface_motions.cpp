@@ -20,9 +20,9 @@ void SurfaceMotions::restart(const LAMMPS_NS::Atom& atom, double time_step, std:
     const int i = static_cast<int>(k);
     const double* axes = particles.shape[i];
     turning_radii_[k] = ellipsoid::turning_radius(axes[0], axes[1], axes[2]);
-    clocks_.expect(k, {time_step * ellipsoid_host::vector(particles.v[i]),
-                       time_step * turning_radii_[k] *
-                           norm(ellipsoid_host::vector(particles.omega[i]))});
+    clocks_.expect(
+        k, {time_step * ellipsoid_host::vector(particles.v[i]),
+            time_step * turning_radii_[k] * norm(ellipsoid_host::vector(particles.omega[i]))});
   }
 }
 

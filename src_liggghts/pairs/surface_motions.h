@@ -15,14 +15,14 @@ class Atom;
 namespace LIGGGHTS {
 
 class SurfaceMotions {
-public:
+ public:
   /// Takes the motion since the last call; owned and ghost particles.
   /// @param[in] new_lists the indices of the particles may have changed: all clocks start anew
   /// @return whether they did (also when the number of particles has changed)
   bool update(const LAMMPS_NS::Atom& atom, double time_step, bool new_lists);
   ellipsoid::MotionClocks& clocks() { return clocks_; }
 
-private:
+ private:
   std::vector<double> centres_, orientations_; // at the last call: 3 and 4 numbers each
   std::vector<double> turning_radii_;
   ellipsoid::MotionClocks clocks_;

@@ -3,13 +3,13 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "ellipsoid_host.h"
 #include "ellipsoid/ellipsoid_properties.h"
+#include "ellipsoid_host.h"
 #include "error.h"
 #include "fix_property_atom.h"
-#include "multisphere_particles.h"
-#include "multisphere/multisphere_template.h"
 #include "motion/rigid_body.h"
+#include "multisphere/multisphere_template.h"
+#include "multisphere_particles.h"
 
 #include <cmath>
 #include <cstdlib>

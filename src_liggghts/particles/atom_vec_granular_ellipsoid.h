@@ -20,7 +20,7 @@ namespace LAMMPS_NS {
 /// their restart are the host's (`shape` holds the semi-axes, `quaternion`, `inertia`, `angmom`,
 /// `volume`, `radius` of the bounding sphere). Data files have columns of their own.
 class AtomVecGranularEllipsoid : public AtomVecSuperquadric {
-public:
+ public:
   explicit AtomVecGranularEllipsoid(class LAMMPS* lmp);
 
   /// Atoms section: id type x y z a b c q0 q1 q2 q3 mass I1 I2 I3 [N spacing] [image flags].
@@ -36,7 +36,7 @@ public:
   /// Stores what the read rows say of sub-spheres. For read_data, on all ranks, after the last row.
   void finish_data();
 
-private:
+ private:
   std::map<int, std::array<int, 2>> subspheres_; // of the rows read: atom -> N, spacing
 
   void read_subspheres(int atom, char** values);

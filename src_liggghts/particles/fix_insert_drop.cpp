@@ -4,11 +4,11 @@
 #include "atom.h"
 #include "atom_vec.h"
 #include "comm.h"
-#include "insertion/counter_random.h"
 #include "domain.h"
 #include "ellipsoid/ellipsoid_contact.h"
 #include "ellipsoid_host.h"
 #include "error.h"
+#include "insertion/counter_random.h"
 #include "modify.h"
 #include "update.h"
 
@@ -53,11 +53,12 @@ void FixInsertDrop::parse(int narg, char** arg) {
     } else if (keyword == "template") {
       const std::string name = reader.word(keyword);
       const int index = modify->find_fix(name.c_str());
-      template_ = index < 0 ? nullptr
-                            : dynamic_cast<FixParticletemplateEllipsoid*>(modify->fix[index]);
+      template_ =
+          index < 0 ? nullptr : dynamic_cast<FixParticletemplateEllipsoid*>(modify->fix[index]);
       if (!template_)
-        reader.complain("keyword 'template' has the value '" + name +
-                        "', allowed is the id of a fix particletemplate/ellipsoid; define it first");
+        reader.complain(
+            "keyword 'template' has the value '" + name +
+            "', allowed is the id of a fix particletemplate/ellipsoid; define it first");
     } else if (keyword == "particles") {
       particles_ = reader.integer(keyword, 1, MAXSMALLINT - 1);
     } else if (keyword == "interval") {
@@ -77,12 +78,12 @@ void FixInsertDrop::parse(int narg, char** arg) {
                       "'velocity'");
     }
   }
-  const char* missing = !has_seed            ? "seed S"
-                        : !template_         ? "template ID"
-                        : particles_ == 0    ? "particles K"
-                        : interval_ == 0.0   ? "interval T"
-                        : !has_box           ? "box xlo xhi ylo yhi zlo zhi"
-                                             : nullptr;
+  const char* missing = !has_seed          ? "seed S"
+                        : !template_       ? "template ID"
+                        : particles_ == 0  ? "particles K"
+                        : interval_ == 0.0 ? "interval T"
+                        : !has_box         ? "box xlo xhi ylo yhi zlo zhi"
+                                           : nullptr;
   if (missing)
     reader.complain(std::string("a keyword is missing; add '") + missing + "'");
 }
@@ -106,7 +107,8 @@ void FixInsertDrop::schedule() {
     next_reneighbor = -1;
     return;
   }
-  const bigint due = first_step_ + static_cast<bigint>(std::llround(inserted_ * interval_ / update->dt));
+  const bigint due =
+      first_step_ + static_cast<bigint>(std::llround(inserted_ * interval_ / update->dt));
   next_reneighbor = std::max({due, next_try_, update->ntimestep + 1});
 }
 
@@ -183,8 +185,9 @@ void FixInsertDrop::insert(ParticleToInsertEllipsoid& p) {
   }
   MPI_Allreduce(&here, &everywhere, 1, MPI_INT, MPI_SUM, world);
   if (everywhere != 1)
-    error->fix_error(FLERR, this, "no rank or several ranks own the place of a new particle; "
-                                  "this is an error of the program, please report it");
+    error->fix_error(FLERR, this,
+                     "no rank or several ranks own the place of a new particle; "
+                     "this is an error of the program, please report it");
   if (atom->tag_enable)
     atom->tag_extend();
   atom->natoms += 1;
@@ -206,10 +209,10 @@ void FixInsertDrop::pre_exchange() {
     next_try_ = -1;
   } else {
     if (next_try_ < 0 && comm->me == 0)
-      error->warning(FLERR, ("Fix insert/drop (id " + std::string(id) + "): the place of particle " +
-                             std::to_string(inserted_ + 1) +
-                             " is taken; it waits until the place is free")
-                                .c_str());
+      error->warning(FLERR,
+                     ("Fix insert/drop (id " + std::string(id) + "): the place of particle " +
+                      std::to_string(inserted_ + 1) + " is taken; it waits until the place is free")
+                         .c_str());
     next_try_ = update->ntimestep + steps_between_tries();
   }
   schedule();

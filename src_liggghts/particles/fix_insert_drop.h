@@ -17,7 +17,7 @@ namespace LAMMPS_NS {
 /// All random numbers come from (seed, number of the particle): any number of ranks, and a run
 /// continued from a restart file, insert the same particles at the same moments.
 class FixInsertDrop : public Fix {
-public:
+ public:
   FixInsertDrop(class LAMMPS* lmp, int narg, char** arg);
 
   int setmask() override;
@@ -34,7 +34,7 @@ public:
   int min_type() override { return template_->mintype(); }
   int max_type() override { return template_->maxtype(); }
 
-private:
+ private:
   FixParticletemplateEllipsoid* template_ = nullptr;
   int seed_ = 0;
   int particles_ = 0;            // to insert in all

@@ -2,8 +2,8 @@
 #include "fix_particletemplate_ellipsoid.h"
 
 #include "atom.h"
-#include "ellipsoid_host.h"
 #include "ellipsoid/ellipsoid_properties.h"
+#include "ellipsoid_host.h"
 #include "error.h"
 #include "fix_property_atom.h"
 #include "force.h"
@@ -33,7 +33,7 @@ constexpr long largest_seed = 2000000011; // and adds a little for each rank
 /// The host's base class reads keywords of its own and wants a density: it is given what it needs
 /// (id, group, style, seed and a density that is never used).
 class BaseArguments {
-public:
+ public:
   BaseArguments(LAMMPS* lmp, int narg, char** arg) : words_(arg, arg + std::min(narg, 4)) {
     static char density[] = "density", constant[] = "constant", one[] = "1.0";
     check_seed(lmp->error, arg[0], narg >= 4 ? arg[3] : "");
@@ -42,7 +42,7 @@ public:
   int count() { return static_cast<int>(words_.size()); }
   char** words() { return words_.data(); }
 
-private:
+ private:
   std::vector<char*> words_;
 
   /// The host's generator takes primes only, and its own message does not say whose seed it was.

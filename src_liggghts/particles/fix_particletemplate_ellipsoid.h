@@ -10,10 +10,10 @@ FixStyle(particletemplate/ellipsoid,FixParticletemplateEllipsoid)
 #define LMP_FIX_PARTICLETEMPLATE_ELLIPSOID_H
 
 #include "fix_template_sphere.h"
-#include "multisphere/multisphere_template.h"
-#include "particleToInsertSuperquadric.h"
 #include "insertion/size_distribution.h"
 #include "math/vector3.h"
+#include "multisphere/multisphere_template.h"
+#include "particleToInsertSuperquadric.h"
 
 #include <array>
 #include <functional>
@@ -27,7 +27,7 @@ namespace LAMMPS_NS {
 
 /// A particle to insert whose orientation may be its template's, not the inserting fix's.
 class ParticleToInsertEllipsoid : public ParticleToInsertSuperquadric {
-public:
+ public:
   explicit ParticleToInsertEllipsoid(class LAMMPS* lmp) : ParticleToInsertSuperquadric(lmp) {}
   int check_near_set_x_v_omega(double* x, double* v, double* omega, double* quat,
                                RegionNeighborList<interpolate_no>& near) override;
@@ -41,7 +41,7 @@ public:
 };
 
 class FixParticletemplateEllipsoid : public FixTemplateSphere {
-public:
+ public:
   FixParticletemplateEllipsoid(class LAMMPS* lmp, int narg, char** arg);
   ~FixParticletemplateEllipsoid();
 
@@ -62,7 +62,7 @@ public:
   /// @param[in] uniform source of numbers in [0, 1), one is taken for each `vary`
   void fill(ParticleToInsertEllipsoid& particle, const std::function<double()>& uniform) const;
 
-private:
+ private:
   /// Keyword `vary`: a random factor on some of the semi-axes.
   struct Variation {
     std::array<bool, 3> axes{};

@@ -27,8 +27,8 @@ namespace {
 constexpr double aspect_resolution = 1e-12;
 
 FixPropertyAtom* per_atom(Modify* modify, const char* name) {
-  return static_cast<FixPropertyAtom*>(modify->find_fix_property(
-      name, "property/atom", "scalar", 0, 0, "surface multisphere", false));
+  return static_cast<FixPropertyAtom*>(modify->find_fix_property(name, "property/atom", "scalar", 0,
+                                                                 0, "surface multisphere", false));
 }
 
 constexpr const char* property_names[2] = {"subspheres", "spacing"};
@@ -43,8 +43,8 @@ SubsphereProperties make_subsphere_properties(Modify* modify) {
   for (const char* name : property_names) {
     if (per_atom(modify, name))
       continue;
-    const char* arguments[] = {name,  "all", "property/atom", name, "scalar",
-                               "yes", "yes", "no",            "0."};
+    const char* arguments[] = {name, "all", "property/atom", name, "scalar", "yes", "yes",
+                               "no", "0."};
     modify->add_fix(9, const_cast<char**>(arguments));
     per_atom(modify, name)->just_created = 0; // else the next run begins with default values
   }
@@ -54,8 +54,9 @@ SubsphereProperties make_subsphere_properties(Modify* modify) {
 void MultisphereParticles::find_properties() {
   std::tie(subspheres_, spacing_) = std::tuple_cat(subsphere_properties(modify));
   if (!subspheres_)
-    error->all(FLERR, "surface multisphere: no particle has sub-spheres; use keyword 'subspheres' of "
-                      "fix particletemplate/ellipsoid, or fix property/atom subspheres");
+    error->all(FLERR,
+               "surface multisphere: no particle has sub-spheres; use keyword 'subspheres' of "
+               "fix particletemplate/ellipsoid, or fix property/atom subspheres");
 }
 
 const ellipsoid::SphereChain* MultisphereParticles::chain(int i) {
@@ -69,12 +70,12 @@ const ellipsoid::SphereChain* MultisphereParticles::chain(int i) {
   try {
     if (axes[1] != axes[2])
       throw std::invalid_argument("the semi-axes b and c differ; multi-spheres need b = c");
-    entry.reset(new ellipsoid::SphereChain(make_multisphere(
-        aspect, 1.0, count, static_cast<ellipsoid::SphereSpacing>(spacing))));
+    entry.reset(new ellipsoid::SphereChain(
+        make_multisphere(aspect, 1.0, count, static_cast<ellipsoid::SphereSpacing>(spacing))));
   } catch (const std::invalid_argument& problem) {
-    error->one(FLERR, ("surface multisphere, atom " + std::to_string(atom->tag[i]) + ": " +
-                       problem.what())
-                          .c_str());
+    error->one(FLERR,
+               ("surface multisphere, atom " + std::to_string(atom->tag[i]) + ": " + problem.what())
+                   .c_str());
   }
   return entry.get();
 }

@@ -4,9 +4,9 @@
 #ifndef ELLIPSOID_MULTISPHERE_PARTICLES_H
 #define ELLIPSOID_MULTISPHERE_PARTICLES_H
 
-#include "separation/motion_clocks.h"
 #include "multisphere/multisphere_contact.h"
 #include "pointers.h"
+#include "separation/motion_clocks.h"
 
 #include <array>
 #include <map>
@@ -17,7 +17,7 @@
 namespace LAMMPS_NS {
 class FixPropertyAtom;
 class Modify;
-}
+} // namespace LAMMPS_NS
 
 namespace ellipsoid_host {
 
@@ -31,11 +31,12 @@ SubsphereProperties make_subsphere_properties(LAMMPS_NS::Modify* modify);
 /// (the number of SphereSpacing; all 0 if that fix is missing). Particles of equal aspect ratio,
 /// N and spacing share one chain.
 class MultisphereParticles : private LAMMPS_NS::Pointers {
-public:
+ public:
   explicit MultisphereParticles(LAMMPS_NS::LAMMPS* lmp) : Pointers(lmp) {}
 
   /// Poses of all owned and ghost particles; to be called once per time step, on all ranks.
-  /// @return whether the neighbour lists are new: what is remembered of particles is to be forgotten
+  /// @return whether the neighbour lists are new: what is remembered of particles is to be
+  /// forgotten
   bool update();
   const ellipsoid::ChainPose& pose(int i) const { return poses_[static_cast<std::size_t>(i)]; }
   ellipsoid::MotionClocks& clocks() { return clocks_; }
@@ -44,7 +45,7 @@ public:
   /// Pose of one owned particle.
   ellipsoid::ChainPose make_pose(int i);
 
-private:
+ private:
   using Key = std::tuple<long long, int, int>; // aspect ratio in units of 1e-12, N, spacing
   std::map<Key, std::unique_ptr<ellipsoid::SphereChain>> chains_;
   std::vector<ellipsoid::ChainPose> poses_;

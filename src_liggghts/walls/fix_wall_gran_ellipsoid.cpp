@@ -49,8 +49,8 @@ void check_meshes(LAMMPS* lmp, Reader& reader, int count) {
   }
 }
 
-/// The host reads these arguments without looking whether the words are there, and says little about
-/// wrong ones; so they are checked before it does. Returns `arg`.
+/// The host reads these arguments without looking whether the words are there, and says little
+/// about wrong ones; so they are checked before it does. Returns `arg`.
 char** checked(LAMMPS* lmp, int narg, char** arg) {
   Reader reader(lmp->error, "wall/gran/ellipsoid", arg[0], narg, arg, 3);
   constexpr int most_meshes = 1000;
@@ -227,9 +227,10 @@ void FixWallGranEllipsoid::find_cylinder_contacts_of(int i) {
       add_contact(c);
     return;
   }
-  const ellipsoid::CylinderContacts found = find_cylinder_contacts(
-      ellipsoid::make_shape(vector(atom->shape[i]), ellipsoid_host::quaternion(atom->quaternion[i])),
-      cylinder);
+  const ellipsoid::CylinderContacts found =
+      find_cylinder_contacts(ellipsoid::make_shape(vector(atom->shape[i]),
+                                                   ellipsoid_host::quaternion(atom->quaternion[i])),
+                             cylinder);
   for (int k = 0; k < found.count; ++k)
     add_contact(found.contact[static_cast<std::size_t>(k)]);
 }
@@ -277,8 +278,8 @@ void FixWallGranEllipsoid::add_contact(const ellipsoid::SphereContact& found) {
   contacts_.push_back(c);
 }
 
-/// Of the wall's surface at a place in space. A cylinder that is not shifted along its axis turns about
-/// it, with the angular velocity `shear`.
+/// Of the wall's surface at a place in space. A cylinder that is not shifted along its axis turns
+/// about it, with the angular velocity `shear`.
 Vector3 FixWallGranEllipsoid::primitive_velocity(const Vector3& place) const {
   double velocity[3] = {0.0, 0.0, 0.0};
   if (!shear_)
@@ -301,9 +302,8 @@ void FixWallGranEllipsoid::treat_contacts(int i) {
                          std::to_string(history_.slots()) + "; raise it")
                             .c_str());
     row = fix_history_primitive_->array_atom[i];
-    history_.assign(contacts_, row, [this](double code, int place) {
-      return meshes_.adjoining(code, place);
-    });
+    history_.assign(contacts_, row,
+                    [this](double code, int place) { return meshes_.adjoining(code, place); });
   }
   const double weight = multicontact_weight(rule_, std::max(1, static_cast<int>(contacts_.size())));
   for (std::size_t k = 0; k < contacts_.size(); ++k)

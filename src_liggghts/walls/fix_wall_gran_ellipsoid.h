@@ -9,11 +9,11 @@ FixStyle(wall/gran/ellipsoid,FixWallGranEllipsoid)
 #ifndef LMP_FIX_WALL_GRAN_ELLIPSOID_H
 #define LMP_FIX_WALL_GRAN_ELLIPSOID_H
 
-#include "wall/cylinder_contact.h"
 #include "ellipsoid_contact_caller.h"
 #include "fix_wall_gran.h"
 #include "multisphere_particles.h"
 #include "update.h"
+#include "wall/cylinder_contact.h"
 #include "wall_contact.h"
 #include "wall_meshes.h"
 
@@ -21,11 +21,11 @@ FixStyle(wall/gran/ellipsoid,FixWallGranEllipsoid)
 
 namespace LAMMPS_NS {
 
-/// Takes the arguments of fix wall/gran. The host parses them, keeps the lists of near particles and
-/// applies the contact models; the geometry and the history of the contacts are ours.
+/// Takes the arguments of fix wall/gran. The host parses them, keeps the lists of near particles
+/// and applies the contact models; the geometry and the history of the contacts are ours.
 class FixWallGranEllipsoid : public FixWallGran,
                              public LIGGGHTS::ContactModels::EllipsoidContactCaller {
-public:
+ public:
   FixWallGranEllipsoid(class LAMMPS* lmp, int narg, char** arg);
   void post_create() override;
   void init() override;
@@ -34,11 +34,11 @@ public:
     FixWallGran::post_force(vflag);
   }
 
-protected:
+ protected:
   void post_force_primitive(int vflag) override;
   void post_force_mesh(int vflag) override;
 
-private:
+ private:
   bool multisphere_ = false;
   int cylinder_axis_ = -1; // 0, 1, 2; -1: plane, or mesh
   double cylinder_radius_ = 0.0, cylinder_centre_[3] = {0.0, 0.0, 0.0};

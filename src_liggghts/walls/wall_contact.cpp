@@ -9,8 +9,8 @@ namespace ellipsoid_host {
 
 namespace {
 
-/// A contact that moves on to the next triangle keeps its history if its normal turns by no more than
-/// 45 degrees: that of the facets of a curved wall.
+/// A contact that moves on to the next triangle keeps its history if its normal turns by no more
+/// than 45 degrees: that of the facets of a curved wall.
 const double smallest_cosine = std::sqrt(0.5);
 
 } // namespace
@@ -32,9 +32,8 @@ void WallHistory::assign(const std::vector<WallContact>& contacts, double* row,
     store(contacts[k].normal, &slot[2]);
   }
   // first what touched the same triangle before, then what may have come over from another
-  hand_over(contacts, row, [](const WallContact& c, const double* slot) {
-    return slot[1] == c.triangle;
-  });
+  hand_over(contacts, row,
+            [](const WallContact& c, const double* slot) { return slot[1] == c.triangle; });
   hand_over(contacts, row, [&](const WallContact& c, const double* slot) {
     return c.place >= 0 && dot(c.normal, vector(&slot[2])) >= smallest_cosine &&
            adjoining(slot[1], c.place);
@@ -46,7 +45,8 @@ void WallHistory::forget(double* row) const {
     std::fill_n(row, size(), 0.0);
 }
 
-/// Of all possible pairs of a contact and a former one, those with the least turn of the normal first.
+/// Of all possible pairs of a contact and a former one, those with the least turn of the normal
+/// first.
 template <class MayGoOn>
 void WallHistory::hand_over(const std::vector<WallContact>& contacts, double* row,
                             const MayGoOn& may_go_on) {

@@ -23,10 +23,11 @@ struct WallContact {
   double triangle = 0.0;            ///< tells triangles of all meshes apart; 0 for a primitive wall
 };
 
-/// The history of a particle's contacts with one wall: a row of equal slots. A slot starts with the part
+/// The history of a particle's contacts with one wall: a row of equal slots. A slot starts with the
+/// part
 /// + 1 (0: free), the triangle and the normal; the values of the contact models follow.
 class WallHistory {
-public:
+ public:
   enum { header = 5 };
 
   /// @param[in] values of the contact models per contact
@@ -37,12 +38,12 @@ public:
   int slots() const { return slots_; }
   int size() const { return slots_ * (header + values_); }
 
-  /// Whether a contact that slides off the one triangle (a former contact's) goes on at the other (by
-  /// its place in the list of near triangles).
+  /// Whether a contact that slides off the one triangle (a former contact's) goes on at the other
+  /// (by its place in the list of near triangles).
   using Adjoining = std::function<bool(double, int)>;
 
-  /// Gives the contacts slots 0, 1, ... in their order, with the values of the same contact of before or
-  /// of the one that it goes on from; there must be no more contacts than slots.
+  /// Gives the contacts slots 0, 1, ... in their order, with the values of the same contact of
+  /// before or of the one that it goes on from; there must be no more contacts than slots.
   /// @param[in,out] row of one particle
   void assign(const std::vector<WallContact>& contacts, double* row, const Adjoining& adjoining);
 
@@ -54,7 +55,7 @@ public:
     return row + static_cast<int>(contact) * (header + values_) + header;
   }
 
-private:
+ private:
   int slots_ = 0, values_ = 0;
   std::vector<double> before_;
   std::vector<char> has_values_, is_taken_; // per contact, per slot

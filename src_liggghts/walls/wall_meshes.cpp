@@ -17,7 +17,8 @@ namespace ellipsoid_host {
 
 namespace {
 
-/// Triangles within so many radii of the bounding sphere are near: a little more than can be touched.
+/// Triangles within so many radii of the bounding sphere are near: a little more than can be
+/// touched.
 constexpr double near_reach = 1.01;
 
 } // namespace
@@ -93,10 +94,9 @@ bool WallMeshes::same_surface(int first_place, int second_place) const {
 
 Vector3 WallMeshes::velocity(int place, const Vector3& point) const {
   const NearTriangle& pair = near(place);
-  auto* velocities = meshes_[pair.mesh]
-                         ->triMesh()
-                         ->prop()
-                         .getElementProperty<MultiVectorContainer<double, 3, 3>>("v");
+  auto* velocities =
+      meshes_[pair.mesh]->triMesh()->prop().getElementProperty<MultiVectorContainer<double, 3, 3>>(
+          "v");
   if (!velocities)
     return {};
   double** v = velocities->begin()[pair.index];

@@ -4,8 +4,8 @@
 #ifndef ELLIPSOID_WALL_MESHES_H
 #define ELLIPSOID_WALL_MESHES_H
 
-#include "wall/mesh_contact.h"
 #include "pointers.h"
+#include "wall/mesh_contact.h"
 
 #include <vector>
 
@@ -16,7 +16,7 @@ class FixMeshSurface;
 namespace ellipsoid_host {
 
 class WallMeshes : private LAMMPS_NS::Pointers {
-public:
+ public:
   explicit WallMeshes(LAMMPS_NS::LAMMPS* lmp) : Pointers(lmp) {}
 
   struct NearTriangle {
@@ -48,10 +48,10 @@ public:
   /// For WallHistory: whether the triangle of that code is near and shares a corner with the other.
   bool adjoining(double code, int place) const;
 
-private:
+ private:
   LAMMPS_NS::FixMeshSurface** meshes_ = nullptr;
-  std::vector<NearTriangle> pairs_, near_;       // of all particles, of the present one
-  std::vector<ellipsoid::Triangle> triangles_;   // of the present one, relative to its centre
+  std::vector<NearTriangle> pairs_, near_;     // of all particles, of the present one
+  std::vector<ellipsoid::Triangle> triangles_; // of the present one, relative to its centre
 
   ellipsoid::Triangle nodes(int mesh, int index) const;
   void collect_triangle(int mesh, int index, int groupbit);

@@ -1,8 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Contacts searched in batches against the search of single pairs.
-#include "ellipsoid/contact_batch.h"
 #include "contact_families.h"
+#include "ellipsoid/contact_batch.h"
 
 #include <gtest/gtest.h>
 
@@ -24,8 +24,7 @@ std::vector<Case> make_cases(Family family, int count) {
   std::vector<Case> cases;
   while (static_cast<int>(cases.size()) < count) {
     Case c{random.pair(family, 20.0, 20.0, random.uniform(-0.005, 0.1)), {}};
-    const ContactGeometry g =
-        find_contact(c.pair.i.shape, c.pair.j.shape, c.pair.centre_distance);
+    const ContactGeometry g = find_contact(c.pair.i.shape, c.pair.j.shape, c.pair.centre_distance);
     c.start = normalized(g.normal + random.log_uniform(1e-10, 0.3) * random.direction());
     cases.push_back(c);
   }
@@ -51,9 +50,9 @@ std::vector<ContactGeometry> solve(const std::vector<Case>& cases, int batch_siz
 
 bool same_bits(const ContactGeometry& a, const ContactGeometry& b) {
   const auto values = [](const ContactGeometry& c) {
-    return std::vector<double>{c.normal.x,         c.normal.y,  c.normal.z,
-                               c.point.x,          c.point.y,   c.point.z,
-                               c.overlap,          c.reduced_radius, c.curvature_radius_i,
+    return std::vector<double>{c.normal.x,          c.normal.y,       c.normal.z,
+                               c.point.x,           c.point.y,        c.point.z,
+                               c.overlap,           c.reduced_radius, c.curvature_radius_i,
                                c.curvature_radius_j};
   };
   const std::vector<double> p = values(a), q = values(b);
@@ -104,8 +103,8 @@ TEST_P(ContactBatchTest, ResultsDoNotDependOnTheCompany) {
   }
 }
 
-// Flat on flat, where the radii of curvature have no first change but a large second one; and overlaps as
-// deep as the radii of curvature, where the Hessian is nearly singular.
+// Flat on flat, where the radii of curvature have no first change but a large second one; and
+// overlaps as deep as the radii of curvature, where the Hessian is nearly singular.
 TEST(ContactBatch, IsExactOnFlatSidesAndInDeepOverlap) {
   const auto worst = [](const Vector3& axes, double overlap, double turn) {
     const EllipsoidShape shape = make_shape(axes, Quaternion{});
@@ -135,7 +134,8 @@ TEST(ContactBatch, GivesUnitNormalsToCoincidingSpheres) {
   const EllipsoidShape sphere = make_shape({1.0, 1.0, 1.0}, Quaternion{});
   for (int k = 0; k < 20000; ++k) {
     const Vector3 direction = random.direction();
-    const Vector3 start = normalized(direction + random.log_uniform(1e-8, 1e-2) * random.direction());
+    const Vector3 start =
+        normalized(direction + random.log_uniform(1e-8, 1e-2) * random.direction());
     ContactBatch batch;
     batch.add(sphere, sphere, random.log_uniform(1e-14, 1e-4) * direction, start);
     batch.solve();
@@ -143,7 +143,8 @@ TEST(ContactBatch, GivesUnitNormalsToCoincidingSpheres) {
   }
 }
 
-// A pair across two ranks is computed by both, with i and j swapped: action is reaction to the last bit.
+// A pair across two ranks is computed by both, with i and j swapped: action is reaction to the last
+// bit.
 TEST_P(ContactBatchTest, SwappedPairsHaveTheSameBits) {
   const std::vector<Case> cases = make_cases(GetParam(), 5000);
   std::vector<Case> swapped;
@@ -189,7 +190,8 @@ std::vector<Case> make_plane_cases(int count) {
     Body b;
     b.semiaxes = {random.log_uniform(0.3, 3.0), random.log_uniform(0.3, 3.0),
                   random.log_uniform(0.3, 3.0)};
-    b.orientation = normalized(Quaternion{random.uniform(-1.0, 1.0), 0.0, 0.0, random.uniform(-1.0, 1.0)});
+    b.orientation =
+        normalized(Quaternion{random.uniform(-1.0, 1.0), 0.0, 0.0, random.uniform(-1.0, 1.0)});
     b.shape = make_shape(b.semiaxes, b.orientation);
     return b;
   };
@@ -254,8 +256,8 @@ TEST(ContactBatch, LeavesTroublesomePairsToTheSearchOfSinglePairs) {
   batch.add(slender, crossed, distance, {1.0, 0.0, 0.0});
   batch.add(slender, slender, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0});
   batch.solve();
-  EXPECT_TRUE(same_bits(batch.geometry(0),
-                        find_contact_from({1.0, 0.0, 0.0}, slender, crossed, distance)));
+  EXPECT_TRUE(
+      same_bits(batch.geometry(0), find_contact_from({1.0, 0.0, 0.0}, slender, crossed, distance)));
   EXPECT_TRUE(same_bits(batch.geometry(1),
                         find_contact_from({0.0, 1.0, 0.0}, slender, slender, {0.0, 0.0, 0.0})));
 }
@@ -292,8 +294,9 @@ TEST(ContactBatch, FindsGaps) {
                   1e-14 * size);
       ASSERT_NEAR(norm(batch.normal(m)), 1.0, 1e-15);
       ASSERT_LT(batch.gap(m), distances[n] + 1e-14 * size);
-      ASSERT_GE(batch.gap(m), -overlap_along(p.i.shape, p.j.shape, p.centre_distance,
-                                             cases[n].start) - 1e-14 * size);
+      ASSERT_GE(batch.gap(m),
+                -overlap_along(p.i.shape, p.j.shape, p.centre_distance, cases[n].start) -
+                    1e-14 * size);
       ASSERT_GT(batch.gap(m), distances[n] - bounds[n] * size) << "pair " << m;
       found += batch.gap(m) > 0.0 ? 1 : 0;
     }
@@ -309,7 +312,9 @@ TEST(ContactBatch, FindsGaps) {
 TEST(ContactBatch, StaysExactOverManySteps) {
   const EllipsoidShape i = make_shape({2.0, 1.0, 1.0}, Quaternion{});
   const EllipsoidShape j = make_shape({2.0, 1.0, 1.0}, normalized(Quaternion{1.0, 0.1, 0.3, 0.2}));
-  const auto distance = [](int step) { return Vector3{0.5 + 1e-7 * std::sin(0.1 * step), 1.6, 0.3}; };
+  const auto distance = [](int step) {
+    return Vector3{0.5 + 1e-7 * std::sin(0.1 * step), 1.6, 0.3};
+  };
   constexpr int steps = 10000;
   ContactBatch batch;
   Vector3 normal = find_contact(i, j, distance(0)).normal;

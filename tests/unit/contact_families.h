@@ -37,7 +37,7 @@ struct Pair {
 };
 
 class PairGenerator {
-public:
+ public:
   explicit PairGenerator(unsigned seed) : random_(seed) {}
 
   double uniform(double low, double high) {
@@ -84,14 +84,14 @@ public:
     return p;
   }
 
-private:
+ private:
   std::mt19937_64 random_;
 };
 
 /// Overlap and normal by brute force, in long double: phi on a dense grid of directions, then
 /// descent with derivatives by finite differences. It shares no formula with the kernel but phi.
 class BruteForce {
-public:
+ public:
   explicit BruteForce(const Pair& p) {
     load(p.i, axes_i_, rotation_i_);
     load(p.j, axes_j_, rotation_j_);
@@ -125,7 +125,7 @@ public:
     return best;
   }
 
-private:
+ private:
   static constexpr std::size_t starts = 5;
   long double axes_i_[3], axes_j_[3], rotation_i_[9], rotation_j_[9], d_[3];
 
@@ -135,9 +135,10 @@ private:
     axes[2] = b.semiaxes.z;
     const Quaternion q = b.orientation;
     const long double w = q.w, x = q.x, y = q.y, z = q.z;
-    const long double m[9] = {1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
-                              2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
-                              2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)};
+    const long double m[9] = {
+        1 - 2 * (y * y + z * z), 2 * (x * y - w * z),     2 * (x * z + w * y),
+        2 * (x * y + w * z),     1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
+        2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y)};
     std::copy(m, m + 9, r);
   }
 
@@ -200,7 +201,8 @@ private:
       const long double pu = phi(f, e, 0), mu = phi(f, -e, 0), pv = phi(f, 0, e),
                         mv = phi(f, 0, -e), pp = phi(f, e, e), mm = phi(f, -e, -e);
       const long double gu = (pu - mu) / (2 * e), gv = (pv - mv) / (2 * e);
-      const long double huu = (pu - 2 * value + mu) / (e * e), hvv = (pv - 2 * value + mv) / (e * e);
+      const long double huu = (pu - 2 * value + mu) / (e * e),
+                        hvv = (pv - 2 * value + mv) / (e * e);
       const long double huv = (pp + mm - pu - mu - pv - mv + 2 * value) / (2 * e * e);
       long double s = -gu, t = -gv;
       const long double det = huu * hvv - huv * huv;

@@ -79,7 +79,8 @@ TEST(ContactLaw, NothingWithoutFriction) {
 
 TEST(ContactLaw, NoSlipNoSpringNoForce) {
   Vector3 spring;
-  expect_near(tangential_force(SlipDirection::displacement, {3000.0, 5.0, 0.6, {}}, spring), {}, 0.0);
+  expect_near(tangential_force(SlipDirection::displacement, {3000.0, 5.0, 0.6, {}}, spring), {},
+              0.0);
 }
 
 TEST(ContactLaw, TheSpringGrowsWithTheSlip) {

@@ -22,8 +22,9 @@ struct Brute {
   Brute(const Body& b, const Cylinder& c) : body(b), cylinder(c), axes(rotation(b.orientation)) {}
 
   double distance(const Vector3& y) const { // y on the unit sphere
-    const Vector3 p = axes.to_space({body.semiaxes.x * y.x, body.semiaxes.y * y.y,
-                                     body.semiaxes.z * y.z}) - cylinder.centre;
+    const Vector3 p =
+        axes.to_space({body.semiaxes.x * y.x, body.semiaxes.y * y.y, body.semiaxes.z * y.z}) -
+        cylinder.centre;
     return norm(cross(cylinder.axis, p));
   }
   double extreme(double sign, PairGenerator& random) const {
@@ -48,8 +49,8 @@ Cylinder random_cylinder(PairGenerator& random, double radius, double distance) 
   Cylinder c;
   c.axis = random.direction();
   c.radius = radius;
-  c.centre = distance * normalized(cross(c.axis, random.direction())) +
-             random.uniform(-3.0, 3.0) * c.axis;
+  c.centre =
+      distance * normalized(cross(c.axis, random.direction())) + random.uniform(-3.0, 3.0) * c.axis;
   return c;
 }
 
@@ -120,8 +121,9 @@ TEST_P(CylinderFamily, GradientOfTheOverlapIsTheNormal) {
     const Body body = random.body(GetParam(), 1.0, 4.0);
     const bool inside = k % 2;
     const double radius = largest(body.semiaxes) * random.uniform(0.8, 2.0);
-    const Cylinder cylinder = random_cylinder(
-        random, radius, inside ? random.uniform(0.0, 0.8) * radius
+    const Cylinder cylinder =
+        random_cylinder(random, radius,
+                        inside ? random.uniform(0.0, 0.8) * radius
                                : radius + random.uniform(0.4, 0.9) * body.smallest_axis());
     const CylinderContacts c = find_cylinder_contacts(body.shape, cylinder);
     pairs += c.count == 2;
@@ -133,15 +135,17 @@ TEST_P(CylinderFamily, GradientOfTheOverlapIsTheNormal) {
       continue; // just touching
     for (int m = 0; m < c.count; ++m) {
       const auto index = static_cast<std::size_t>(m);
-      const ContactGeometry &g = c.contact[index], &a = more.contact[index], &b = less.contact[index];
+      const ContactGeometry &g = c.contact[index], &a = more.contact[index],
+                            &b = less.contact[index];
       if (norm(a.normal - g.normal) + norm(b.normal - g.normal) > 1e-3)
         continue; // nearly of equal depth, and exchanged
-      ASSERT_NEAR((a.overlap - b.overlap) / (2.0 * step), -dot(g.normal, way), 1e-5) << "pose " << k;
+      ASSERT_NEAR((a.overlap - b.overlap) / (2.0 * step), -dot(g.normal, way), 1e-5)
+          << "pose " << k;
       ASSERT_NEAR(dot(g.normal, cylinder.axis), 0.0, 1e-14);
       const Vector3 middle = g.point - cylinder.centre;
       const double from_axis = norm(cross(cylinder.axis, middle));
-      const double expected = inside ? radius + 0.5 * g.overlap
-                                     : std::fabs(radius - 0.5 * g.overlap);
+      const double expected =
+          inside ? radius + 0.5 * g.overlap : std::fabs(radius - 0.5 * g.overlap);
       ASSERT_NEAR(from_axis, expected, 1e-12);
     }
   }
@@ -210,7 +214,8 @@ TEST(CylinderContact, Sphere) {
 TEST(CylinderContact, BothTips) {
   for (const double offset : {0.0, 1e-14, 1e-3, 0.04}) {
     const EllipsoidShape shape = make_shape({5.0, 1.0, 1.0}, {});
-    const CylinderContacts c = find_cylinder_contacts(shape, {{offset, 0.0, 7.0}, {0.0, 0.0, 1.0}, 4.9});
+    const CylinderContacts c =
+        find_cylinder_contacts(shape, {{offset, 0.0, 7.0}, {0.0, 0.0, 1.0}, 4.9});
     ASSERT_EQ(c.count, 2) << offset;
     EXPECT_NEAR(c.contact[0].overlap, 0.1 + offset, 1e-14);
     EXPECT_NEAR(c.contact[1].overlap, 0.1 - offset, 1e-14);
@@ -218,7 +223,8 @@ TEST(CylinderContact, BothTips) {
   }
   // beside the middle: the tips by hand, normals from the axis
   const EllipsoidShape shape = make_shape({5.0, 1.0, 1.0}, {});
-  const CylinderContacts c = find_cylinder_contacts(shape, {{0.0, -3.0, 0.0}, {0.0, 0.0, 1.0}, 5.7});
+  const CylinderContacts c =
+      find_cylinder_contacts(shape, {{0.0, -3.0, 0.0}, {0.0, 0.0, 1.0}, 5.7});
   ASSERT_EQ(c.count, 2);
   double farthest = 0.0;
   for (int k = 0; k <= 1000000; ++k) {

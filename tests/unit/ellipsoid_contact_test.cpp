@@ -25,8 +25,9 @@ class FamilyTest : public testing::TestWithParam<Family> {};
 
 } // namespace
 
-// Overlap to 1e-8 of the smaller semi-axis, and the normal wherever it is determined: 100,000 pairs,
-// aspect ratio to 20, size ratio to 100, overlap from a third of the smaller semi-axis to a gap of a half.
+// Overlap to 1e-8 of the smaller semi-axis, and the normal wherever it is determined: 100,000
+// pairs, aspect ratio to 20, size ratio to 100, overlap from a third of the smaller semi-axis to a
+// gap of a half.
 TEST_P(FamilyTest, MatchesBruteForce) {
   PairGenerator random(20100);
   int disagreements = 0, worst_iterations = 0;
@@ -67,11 +68,11 @@ TEST_P(FamilyTest, TranslationByTheOverlapSeparates) {
     const ContactGeometry c = find_contact(p.i.shape, p.j.shape, p.centre_distance);
     ASSERT_EQ(c.status, ContactStatus::touching);
     const double tiny = 1e-9 * largest_axis(p);
-    const auto apart = find_contact(p.i.shape, p.j.shape,
-                                    p.centre_distance + (c.overlap + tiny) * c.normal);
+    const auto apart =
+        find_contact(p.i.shape, p.j.shape, p.centre_distance + (c.overlap + tiny) * c.normal);
     EXPECT_EQ(apart.status, ContactStatus::separated);
-    const auto just = find_contact(p.i.shape, p.j.shape, p.centre_distance + c.overlap * c.normal,
-                                   exact);
+    const auto just =
+        find_contact(p.i.shape, p.j.shape, p.centre_distance + c.overlap * c.normal, exact);
     EXPECT_NEAR(just.overlap, 0.0, 1e-12 * largest_axis(p));
   }
 }
@@ -120,10 +121,10 @@ TEST_P(FamilyTest, MayTouchPlane) {
     const Body b = random.body(GetParam(), 1.0, 20.0);
     const Vector3 normal = random.direction();
     const double reach = support(b.shape, normal);
-    const double distance = reach * (k % 2 == 0 ? random.uniform(0.5, 2.0)
-                                                : 1.0 + random.uniform(-1e-7, 1e-7));
-    const bool touches = find_plane_contact(b.shape, distance * normal, normal).status ==
-                         ContactStatus::touching;
+    const double distance =
+        reach * (k % 2 == 0 ? random.uniform(0.5, 2.0) : 1.0 + random.uniform(-1e-7, 1e-7));
+    const bool touches =
+        find_plane_contact(b.shape, distance * normal, normal).status == ContactStatus::touching;
     const bool may_touch = may_touch_plane(b.semiaxes, b.orientation, normal, distance);
     EXPECT_TRUE(may_touch || !touches) << distance / reach - 1.0;
     apart += touches ? 0 : 1;
@@ -153,7 +154,8 @@ TEST_P(FamilyTest, RotationAndScaleInvariance) {
   }
 }
 
-// A start from any normal ends in the same contact: what the engine does with the normal of the last step.
+// A start from any normal ends in the same contact: what the engine does with the normal of the
+// last step.
 TEST_P(FamilyTest, WarmStartAgreesWithColdStart) {
   PairGenerator random(8);
   for (int k = 0; k < 20000; ++k) {
@@ -196,8 +198,8 @@ TEST(EllipsoidContact, ReducedRadiusFromPrincipalCurvatures) {
   for (int k = 0; k < 2000; ++k) {
     const Pair p = random.pair(Family::triaxial, 5.0, 10.0, random.uniform(0.0, 0.1));
     const auto c = find_contact(p.i.shape, p.j.shape, p.centre_distance);
-    const Vector3 u = normalized(cross(c.normal, std::fabs(c.normal.x) < 0.5 ? Vector3{1, 0, 0}
-                                                                             : Vector3{0, 1, 0}));
+    const Vector3 u = normalized(
+        cross(c.normal, std::fabs(c.normal.x) < 0.5 ? Vector3{1, 0, 0} : Vector3{0, 1, 0}));
     const Vector3 v = cross(c.normal, u);
     const double e = 1e-5;
     double w[2][3]; // radii-of-curvature tensors of i and j: uu, uv, vv
@@ -276,9 +278,9 @@ TEST(EllipsoidContact, PlaneAgainstClosedForm) {
     const Vector3 n = random.direction();
     const Rotation3 r = rotation(b.orientation);
     const Vector3 local = r.to_body(n);
-    const double reach = std::sqrt(std::pow(b.semiaxes.x * local.x, 2) +
-                                   std::pow(b.semiaxes.y * local.y, 2) +
-                                   std::pow(b.semiaxes.z * local.z, 2));
+    const double reach =
+        std::sqrt(std::pow(b.semiaxes.x * local.x, 2) + std::pow(b.semiaxes.y * local.y, 2) +
+                  std::pow(b.semiaxes.z * local.z, 2));
     const double h = random.uniform(-0.5, 0.3);
     const auto c = find_plane_contact(b.shape, (reach - h) * n, n);
     EXPECT_NEAR(c.overlap, h, 1e-12 * reach);
@@ -298,8 +300,7 @@ TEST(EllipsoidContact, ReportsAnExhaustedIterationLimit) {
   int reported = 0;
   for (int k = 0; k < 1000; ++k) {
     const Pair p = random.pair(Family::triaxial, 20.0, 10.0, 0.01);
-    const auto c = find_contact(p.i.shape, p.j.shape, p.centre_distance,
-                                {SearchGoal::contact, 1});
+    const auto c = find_contact(p.i.shape, p.j.shape, p.centre_distance, {SearchGoal::contact, 1});
     if (c.status == ContactStatus::not_converged) {
       ++reported;
       EXPECT_EQ(c.iterations, 1);

@@ -78,8 +78,8 @@ TEST(EllipticHertz, PressureOnTheEllipseGivesTheCurvatures) {
           60.0);
     };
     const double L = potential(0.5, 0.5), M = potential(1.5, 0.5), N = potential(0.5, 1.5);
-    EXPECT_NEAR(M / L * overlap, 1.0, 1e-11) << ratio;           // A
-    EXPECT_NEAR(N / L * overlap / ratio, 1.0, 1e-11) << ratio;   // B
+    EXPECT_NEAR(M / L * overlap, 1.0, 1e-11) << ratio;         // A
+    EXPECT_NEAR(N / L * overlap / ratio, 1.0, 1e-11) << ratio; // B
     // force 2/3 pi a b p0 with overlap = a b p0 L / (2 E*)
     const double force = 2.0 / 3.0 * M_PI * 2.0 * overlap / L; // over E*
     const double expected = 4.0 / 3.0 * std::sqrt(c.effective_radius) * std::pow(overlap, 1.5);
@@ -88,9 +88,10 @@ TEST(EllipticHertz, PressureOnTheEllipseGivesTheCurvatures) {
 }
 
 TEST(EllipticHertz, MeetsTimoshenkosTable) {
-  // Timoshenko and Goodier, Theory of Elasticity, 3rd ed. 1970, section 140: semi-axes m and n of the
-  // contact ellipse in units of (3 P / (4 E* (A + B)))^(1/3), cos(theta) = (B - A) / (A + B)
-  // (printed to three digits and good to 2.1 in the last one, as the integrals above show: 70 degrees)
+  // Timoshenko and Goodier, Theory of Elasticity, 3rd ed. 1970, section 140: semi-axes m and n of
+  // the contact ellipse in units of (3 P / (4 E* (A + B)))^(1/3), cos(theta) = (B - A) / (A + B)
+  // (printed to three digits and good to 2.1 in the last one, as the integrals above show: 70
+  // degrees)
   const double table[][3] = {{30, 2.731, 0.493}, {35, 2.397, 0.530}, {40, 2.136, 0.567},
                              {45, 1.926, 0.604}, {50, 1.754, 0.641}, {55, 1.611, 0.678},
                              {60, 1.486, 0.717}, {65, 1.378, 0.759}, {70, 1.284, 0.802},
@@ -152,8 +153,9 @@ TEST(RelativeCurvature, IsThatOfTheGapBetweenTheSurfaces) {
   for (int trial = 0; trial < 200; ++trial) {
     EllipsoidShape shapes[2];
     for (EllipsoidShape& s : shapes)
-      s = make_shape({axis(random), axis(random), axis(random)},
-                     normalized(Quaternion{uniform(random), uniform(random), uniform(random), 1.2}));
+      s = make_shape(
+          {axis(random), axis(random), axis(random)},
+          normalized(Quaternion{uniform(random), uniform(random), uniform(random), 1.2}));
     const Vector3 normal = direction();
     const RelativeCurvature found = relative_curvature(shapes[0], shapes[1], normal);
     ASSERT_LE(found.smaller, found.larger);

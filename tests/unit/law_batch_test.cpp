@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// The contact law in batches against the functions of contact_law.h, contact by contact: the same bits.
+// The contact law in batches against the functions of contact_law.h, contact by contact: the same
+// bits.
 #include "law/law_batch.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ struct Contact {
 };
 
 class RandomContacts {
-public:
+ public:
   /// Some without a spring, some with a spring across the tangent plane, some that slip.
   explicit RandomContacts(bool in_plane = false) : in_plane_(in_plane) {}
 
@@ -39,7 +40,7 @@ public:
     return c;
   }
 
-private:
+ private:
   std::mt19937_64 random_{20260};
   std::normal_distribution<double> gauss_;
   std::uniform_real_distribution<double> uniform_;
@@ -67,11 +68,11 @@ ContactAction single(const Contact& c, const LawPass& pass, Vector3& spring, boo
   if (pass.advances_springs)
     advance_spring(spring, slip_velocity, pass.time_step, at.normal);
   const double limit = c.parameters.friction * std::fabs(normal_force);
-  const Vector3 friction =
-      tangential_force(SlipDirection::displacement,
-                       {tangential_stiffness(c.parameters.effective_shear_modulus, root),
-                        c.parameters.tangential_damping * c.masses.effective(), limit, slip_velocity},
-                       spring);
+  const Vector3 friction = tangential_force(
+      SlipDirection::displacement,
+      {tangential_stiffness(c.parameters.effective_shear_modulus, root),
+       c.parameters.tangential_damping * c.masses.effective(), limit, slip_velocity},
+      spring);
   slips = norm(friction) > (1.0 - 1e-12) * limit;
   const Vector3 force = normal_force * at.normal + friction;
   return {force, cross(at.lever_i, force), cross(force, at.lever_j), normal_force};
@@ -92,8 +93,8 @@ INSTANTIATE_TEST_SUITE_P(Motion, LawBatchTest, testing::Values(false, true),
 TEST_P(LawBatchTest, GivesTheBitsOfSingleContacts) {
   RandomContacts random(GetParam());
   int slipping = 0, sticking = 0;
-  for (const LawPass& pass : {LawPass{5e-6, true, false}, LawPass{5e-6, true, true},
-                              LawPass{5e-6, false, false}})
+  for (const LawPass& pass :
+       {LawPass{5e-6, true, false}, LawPass{5e-6, true, true}, LawPass{5e-6, false, false}})
     for (const int count : {1, 7, 16, ContactLawBatch::capacity}) {
       ContactLawBatch batch;
       std::vector<Contact> contacts;
@@ -130,7 +131,7 @@ TEST(ContactLawBatch, ActionIsReaction) {
     back.add({-c.place.normal, c.place.lever_j, c.place.lever_i, c.place.overlap,
               c.place.reduced_radius},
              {-c.motion.velocity, c.motion.omega_j, c.motion.omega_i}, c.parameters,
-              {c.masses.j, c.masses.i}, -c.spring);
+             {c.masses.j, c.masses.i}, -c.spring);
   }
   const LawPass pass{5e-6, true, false};
   forth.solve(pass);

@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Which contacts with a wall of many triangles count: seams, ridges, grooves, boxes, against planes and
-// the closed form of wedges, for ellipsoids and chains of spheres.
+// Which contacts with a wall of many triangles count: seams, ridges, grooves, boxes, against planes
+// and the closed form of wedges, for ellipsoids and chains of spheres.
 #include "contact_families.h"
 #include "wall/mesh_contact.h"
 
@@ -39,7 +39,8 @@ Mesh floor_mesh(int n, double half, PairGenerator& random) {
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       const double x = -half + i * step, y = -half + j * step;
-      add_quad(mesh, {x, y, 0.0}, {x + step, y, 0.0}, {x + step, y + step, 0.0}, {x, y + step, 0.0});
+      add_quad(mesh, {x, y, 0.0}, {x + step, y, 0.0}, {x + step, y + step, 0.0},
+               {x, y + step, 0.0});
       if (random.uniform(0.0, 1.0) > 0.5)
         std::swap(mesh.back()[0], mesh.back()[1]);
     }
@@ -54,7 +55,8 @@ double height_at_touch(const Body& body) { return support(body.shape, {0.0, 0.0,
 
 } // namespace
 
-// Anywhere on a floor of triangles, on seams and nodes too, there is one contact, that of the plane.
+// Anywhere on a floor of triangles, on seams and nodes too, there is one contact, that of the
+// plane.
 TEST(MeshContact, FloorOfTrianglesIsOnePlane) {
   PairGenerator random(41);
   for (int k = 0; k < 1500; ++k) {
@@ -65,7 +67,8 @@ TEST(MeshContact, FloorOfTrianglesIsOnePlane) {
     Vector3 centre{random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0), 0.0};
     centre.z = height_at_touch(body) - overlap;
     if (k % 2 == 0) { // the deepest point on a node or a seam
-      const Vector3 deepest = (1.0 / height_at_touch(body)) * (body.shape.a_matrix * Vector3{0.0, 0.0, -1.0});
+      const Vector3 deepest =
+          (1.0 / height_at_touch(body)) * (body.shape.a_matrix * Vector3{0.0, 0.0, -1.0});
       centre.x = -deepest.x;
       centre.y = k % 4 == 0 ? -deepest.y : centre.y;
     }
@@ -103,7 +106,8 @@ TEST(MeshContact, OneContactOnARidge) {
     const double drop = 30.0 * std::tan(slope);
     Mesh mesh;
     add_quad(mesh, {0.0, -40.0, 0.0}, {0.0, 40.0, 0.0}, {30.0, 40.0, -drop}, {30.0, -40.0, -drop});
-    add_quad(mesh, {0.0, -40.0, 0.0}, {-30.0, -40.0, -drop}, {-30.0, 40.0, -drop}, {0.0, 40.0, 0.0});
+    add_quad(mesh, {0.0, -40.0, 0.0}, {-30.0, -40.0, -drop}, {-30.0, 40.0, -drop},
+             {0.0, 40.0, 0.0});
     const Body body = random_body(random, 4.0);
     const double depth = 0.3 * body.shape.smallest_curvature_radius;
     const double step = 0.02;
@@ -180,8 +184,8 @@ TEST(MeshContact, FacesOfOneSurfaceCountOnce) {
   EXPECT_EQ(one[0].overlap, std::max(both[0].overlap, both[1].overlap));
 }
 
-// A slanted body on the rim of a box, its tip below the lid beside the box: one contact, at the rim,
-// and none with the side that the tip has passed.
+// A slanted body on the rim of a box, its tip below the lid beside the box: one contact, at the
+// rim, and none with the side that the tip has passed.
 TEST(MeshContact, TipBesideABoxDoesNotTouchItsSideFromWithin) {
   Mesh box;
   add_quad(box, {-9.0, -9.0, 0.0}, {0.0, -9.0, 0.0}, {0.0, 9.0, 0.0}, {-9.0, 9.0, 0.0});

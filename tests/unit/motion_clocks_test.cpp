@@ -115,7 +115,8 @@ TEST(MotionClocks, gap_for_is_what_deadlines_need) {
     for (const double approach : {0.0, 0.01, 0.5, 20.0}) {
       const double gap = bodies.clocks.gap_for(steps, 0, 1, approach);
       const auto until = bodies.clocks.deadlines(0, 1, gap, approach);
-      const auto twice = bodies.clocks.deadlines(0, 1, bodies.clocks.gap_for(2.0 * steps, 0, 1, approach), approach);
+      const auto twice = bodies.clocks.deadlines(
+          0, 1, bodies.clocks.gap_for(2.0 * steps, 0, 1, approach), approach);
       const double span = until.i - bodies.clocks.time(0);
       EXPECT_NEAR(twice.i - bodies.clocks.time(0), 2.0 * span, 1e-6 * span);
       EXPECT_NEAR((until.j - bodies.clocks.time(1)) / span,

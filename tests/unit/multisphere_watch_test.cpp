@@ -58,8 +58,8 @@ struct Tumbling {
   }
   /// @param[in] step length of one step
   void move(double step) {
-    velocity += random.vector(0.3) - 0.1 * velocity - 0.05 * (norm(centre_distance) - 2.4) *
-                                                          normalized(centre_distance);
+    velocity += random.vector(0.3) - 0.1 * velocity -
+                0.05 * (norm(centre_distance) - 2.4) * normalized(centre_distance);
     spin_i += random.vector(0.3) - 0.1 * spin_i;
     spin_j += random.vector(0.3) - 0.1 * spin_j;
     centre_distance += step * velocity;
@@ -73,8 +73,8 @@ Pairs watched(ContactWatch& watch, const Tumbling& bodies) {
   Pairs pairs;
   std::vector<ContactWatch::Touching> touching(
       static_cast<std::size_t>(watch.end(1) - watch.begin(1)));
-  touching.resize(static_cast<std::size_t>(watch.find_touching(
-      1, bodies.i, bodies.j, bodies.centre_distance, touching.data())));
+  touching.resize(static_cast<std::size_t>(
+      watch.find_touching(1, bodies.i, bodies.j, bodies.centre_distance, touching.data())));
   for (const ContactWatch::Touching& t : touching) {
     EXPECT_EQ(t.spheres->sphere_i, t.contact.sphere_i);
     EXPECT_EQ(t.spheres->sphere_j, t.contact.sphere_j);
@@ -125,8 +125,7 @@ TEST_P(Watch, KnowsEveryContactBetweenSearches) {
     clocks.advance(1, motion(last.j, bodies.j, bodies.centre_distance - last.centre_distance));
     if (watch.is_due(1, clocks.time(0), clocks.time(1))) {
       ++searches;
-      const auto [gap, tested] =
-          watch.search(1, bodies.i, bodies.j, bodies.centre_distance, 0.03);
+      const auto [gap, tested] = watch.search(1, bodies.i, bodies.j, bodies.centre_distance, 0.03);
       EXPECT_GE(tested, 0);
       watch.set_deadlines(1, clocks.deadlines(0, 1, gap, clocks.approach(0, 1)));
     }

@@ -39,7 +39,8 @@ struct Bodies {
 
   PlanarRows rows() {
     return {x.data(),      v.data(), f.data(),    omega.data(),           momentum.data(),
-            torque.data(), q.data(), mass.data(), inverse_inertia.data(), groups.data(), moving};
+            torque.data(), q.data(), mass.data(), inverse_inertia.data(), groups.data(),
+            moving};
   }
 };
 

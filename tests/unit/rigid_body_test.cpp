@@ -57,8 +57,7 @@ TEST(RigidBody, MomentumIsInertiaTensorTimesVelocity) {
   for (int k = 0; k < 1000; ++k) {
     const Quaternion q = any_quaternion(random);
     const Vector3 omega = any_vector(random);
-    const SymmetricMatrix3 tensor =
-        rotated_diagonal(rotation(q), moments.x, moments.y, moments.z);
+    const SymmetricMatrix3 tensor = rotated_diagonal(rotation(q), moments.x, moments.y, moments.z);
     EXPECT_LT(norm(angular_momentum(omega, moments, q) - tensor * omega), 1e-14 * norm(omega));
   }
 }

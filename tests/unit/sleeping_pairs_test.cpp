@@ -104,7 +104,7 @@ TEST(SleepingPairs, wake_before_they_can_touch) {
       crowd.sleep(place);
   }
   EXPECT_GT(woken, 1000);
-  EXPECT_GT(in_time, 100); // the fast body
+  EXPECT_GT(in_time, 100);                                                    // the fast body
   EXPECT_LT(woken, Crowd::steps * static_cast<int>(crowd.pairs.size()) / 20); // they do sleep
 }
 

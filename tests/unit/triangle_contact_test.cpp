@@ -73,8 +73,7 @@ Pose make_pose(PairGenerator& random, TriangleFeature feature, Family family, do
   Vector3 foot, n;
   place(random, feature, t, foot, n);
   const double overlap = depth * p.body.shape.smallest_curvature_radius;
-  const Vector3 surface =
-      (1.0 / support(p.body.shape, n)) * (p.body.shape.a_matrix * n);
+  const Vector3 surface = (1.0 / support(p.body.shape, n)) * (p.body.shape.a_matrix * n);
   const Vector3 centre = foot + overlap * n - surface;
   p.triangle = moved(t, -centre);
   p.expected.feature = feature;
@@ -109,8 +108,8 @@ double search(const Function& f, double u, double v, double half, int grid, doub
   return best;
 }
 
-/// Smallest overlap over all normals as the largest depth over the triangle: the same by duality while
-/// the overlap is below the smallest radius of curvature. No knowledge of features.
+/// Smallest overlap over all normals as the largest depth over the triangle: the same by duality
+/// while the overlap is below the smallest radius of curvature. No knowledge of features.
 double brute_force(const Pose& p) {
   const Rotation3 axes = rotation(p.body.orientation);
   const auto height = [&](double u, double v) { // minus depth; the whole triangle from a square
@@ -118,8 +117,8 @@ double brute_force(const Pose& p) {
     const Vector3 q = p.triangle[0] + (a - b) * (p.triangle[1] - p.triangle[0]) +
                       b * (p.triangle[2] - p.triangle[0]);
     const Vector3 local = axes.to_body(q), n = nearest_normal(p.body.semiaxes, local);
-    const double support = norm({p.body.semiaxes.x * n.x, p.body.semiaxes.y * n.y,
-                                 p.body.semiaxes.z * n.z});
+    const double support =
+        norm({p.body.semiaxes.x * n.x, p.body.semiaxes.y * n.y, p.body.semiaxes.z * n.z});
     return dot(n, local) - support;
   };
   return -search(height, 0.5, 0.5, 0.5, 16, 0.6);
@@ -138,7 +137,7 @@ TEST_P(TriangleFamily, NearestNormalMatchesBruteForce) {
     const Vector3& a = body.semiaxes;
     const Vector3 d = random.uniform(0.0, k % 2 ? 1.0 : 2.0) * random.direction();
     const Vector3 p{a.x * d.x, a.y * d.y, a.z * d.z}; // inside, or also outside
-    Vector3 near = random.direction(); // on the unit sphere
+    Vector3 near = random.direction();                // on the unit sphere
     const auto distance_at = [&](const Vector3& y) {
       return norm(Vector3{a.x * y.x, a.y * y.y, a.z * y.z} - p);
     };
@@ -179,7 +178,8 @@ TEST_P(TriangleFamily, FindsTheKnownContact) {
     ASSERT_NEAR(c.radius, p.body.semiaxes.x * p.body.semiaxes.y * p.body.semiaxes.z / (s * s),
                 1e-12 * c.radius);
   }
-  std::printf("worst overlap %.1e, normal %.1e, foot %.1e\n", worst_overlap, worst_normal, worst_foot);
+  std::printf("worst overlap %.1e, normal %.1e, foot %.1e\n", worst_overlap, worst_normal,
+              worst_foot);
   EXPECT_LT(worst_overlap, 1e-13);
   EXPECT_LT(worst_normal, 1e-10);
   EXPECT_LT(worst_foot, 1e-10);
@@ -257,8 +257,8 @@ INSTANTIATE_TEST_SUITE_P(Families, TriangleFamily,
 TEST(TriangleContact, FaceIsThePlane) {
   PairGenerator random(36);
   for (int k = 0; k < 1000; ++k) {
-    const Pose p = make_pose(random, TriangleFeature::face, Family::triaxial, 10.0,
-                             random.uniform(0.0, 0.9));
+    const Pose p =
+        make_pose(random, TriangleFeature::face, Family::triaxial, 10.0, random.uniform(0.0, 0.9));
     const TriangleContact c = solve(p);
     const ContactGeometry plane = find_plane_contact(p.body.shape, p.triangle[0], c.normal);
     EXPECT_EQ(c.overlap, plane.overlap);

@@ -17,12 +17,25 @@ constexpr int step_limit = 4;
 
 /// Where the search of the pairs stands, from one loop to the next (see batch_columns.h).
 struct Work {
-  enum Value { ix, iy, iz, jx, jy, jz, inverse_i, inverse_j, phi,
-               shift_x, shift_y, shift_z, ///< later the normal, or direction, that it leads to
-               radii, // 6
-               trace = radii + 6, inverse_determinant,
-               largest_overlap, ///< below which the pair is solved
-               value_count };
+  enum Value {
+    ix,
+    iy,
+    iz,
+    jx,
+    jy,
+    jz,
+    inverse_i,
+    inverse_j,
+    phi,
+    shift_x,
+    shift_y,
+    shift_z, ///< later the normal, or direction, that it leads to
+    radii,   // 6
+    trace = radii + 6,
+    inverse_determinant,
+    largest_overlap, ///< below which the pair is solved
+    value_count
+  };
   alignas(64) double of[value_count][ContactBatch::column_length];
 };
 
@@ -79,18 +92,20 @@ template <class Place, class Normals> struct PairSearch {
     const bool convex = (shallow <= tangent_determinant(h.radii)) & (h.trace > 0.0);
     const double condition = h.trace * h.trace * h.inverse_determinant;
     const double rate = f.radius_change_rate();
-    const double third = condition * (tolerance::third_order_squared_rate * condition * rate * rate +
-                                      tolerance::third_order_flat * flatness(f));
+    const double third =
+        condition * (tolerance::third_order_squared_rate * condition * rate * rate +
+                     tolerance::third_order_flat * flatness(f));
     const double squared = dot(shift, shift);
     const bool exact = third * third * squared * squared * squared <=
                        tolerance::batch_normal_error * tolerance::batch_normal_error;
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    w.of[Work::largest_overlap][at.k] =
-        apart_here ? infinity : convex & exact ? c.in[C::safe_overlap][at.k] : -infinity;
+    w.of[Work::largest_overlap][at.k] = apart_here       ? infinity
+                                        : convex & exact ? c.in[C::safe_overlap][at.k]
+                                                         : -infinity;
   }
 
-  /// Largest (semi-axis / s)^2 of the two, or some more: how fast the radii of curvature change beside
-  /// a flat place, where they are largest (1 / rad^2).
+  /// Largest (semi-axis / s)^2 of the two, or some more: how fast the radii of curvature change
+  /// beside a flat place, where they are largest (1 / rad^2).
   double flatness(const OverlapFunction<Vector>& f) const {
     const double i = trace(a_i()) * f.inverse_support_i * f.inverse_support_i,
                  j = trace(a_j()) * f.inverse_support_j * f.inverse_support_j;
@@ -111,9 +126,7 @@ template <class Place, class Normals> struct PairSearch {
   }
 
   /// After extrapolate().
-  bool is_solved() const {
-    return w.of[Work::phi][at.k] < w.of[Work::largest_overlap][at.k];
-  }
+  bool is_solved() const { return w.of[Work::phi][at.k] < w.of[Work::largest_overlap][at.k]; }
 
   /// The contact of a pair that is solved; for the others a direction to go on from.
   template <bool is_first> void finish() const {
@@ -227,9 +240,7 @@ ELLIPSOID_VECTOR_VERSIONS(separate_all, Columns)
 
 } // namespace
 
-void ContactBatch::solve() {
-  search(columns_, filled_up(columns_.in, size(), loop_width));
-}
+void ContactBatch::solve() { search(columns_, filled_up(columns_.in, size(), loop_width)); }
 
 void ContactBatch::solve_open() {
   using C = Columns;

@@ -13,8 +13,8 @@
 // minimum to be the only one. All other pairs (a few in a thousand) go through find_contact_from().
 #pragma once
 
-#include "vectorised/batch_columns.h"
 #include "ellipsoid/ellipsoid_contact.h"
+#include "vectorised/batch_columns.h"
 
 namespace ellipsoid {
 
@@ -49,28 +49,60 @@ class ContactBatch : public Batch {
 
   /// Columns of numbers, one per pair.
   struct Columns {
-    enum Input { axx_i, ayy_i, azz_i, axy_i, axz_i, ayz_i, axx_j, ayy_j, azz_j, axy_j, axz_j, ayz_j,
-                 dx, dy, dz, product_i, product_j, safe_overlap, start_x, start_y, start_z,
-                 input_count };
-    enum Result { nx, ny, nz, px, py, pz, overlap, reduced_radius, radius_i, radius_j,
-                  steps, ///< evaluations of the overlap function
-                  open,  ///< 0: solved; otherwise to be searched alone, or not converged
-                  result_count };
+    enum Input {
+      axx_i,
+      ayy_i,
+      azz_i,
+      axy_i,
+      axz_i,
+      ayz_i,
+      axx_j,
+      ayy_j,
+      azz_j,
+      axy_j,
+      axz_j,
+      ayz_j,
+      dx,
+      dy,
+      dz,
+      product_i,
+      product_j,
+      safe_overlap,
+      start_x,
+      start_y,
+      start_z,
+      input_count
+    };
+    enum Result {
+      nx,
+      ny,
+      nz,
+      px,
+      py,
+      pz,
+      overlap,
+      reduced_radius,
+      radius_i,
+      radius_j,
+      steps, ///< evaluations of the overlap function
+      open,  ///< 0: solved; otherwise to be searched alone, or not converged
+      result_count
+    };
     alignas(64) double in[input_count][column_length];
     alignas(64) double out[result_count][column_length];
   };
 
   const Columns& columns() const { return columns_; }
 
-private:
+ private:
   Columns columns_;
   const EllipsoidShape *shape_i_[capacity], *shape_j_[capacity];
 
   ContactGeometry search_alone(int k) const;
 };
 
-// Inline, and number by number: a vector that is copied as a whole right after its numbers were stored
-// one by one keeps the processor waiting.
+// Inline, and number by number: a vector that is copied as a whole right after its numbers were
+// stored one by one keeps the processor waiting.
 
 inline void ContactBatch::add(const EllipsoidShape& i, const EllipsoidShape& j,
                               const Vector3& centre_distance, const Vector3& start) {

@@ -23,11 +23,11 @@ constexpr double extrapolated_step = 1.0e-8;
 /// one evaluation is enough for almost all.
 constexpr double batch_normal_error = 1.0e-12;
 
-/// A step of third order e leaves an error of less than k (c1 k r^2 + c2 T) e^3, with k the condition
-/// number of the Hessian as tr^2 / det, r the relative change of the radii of curvature per radian, and
-/// T = tr A / s^2 their second change where the first is 0, on flat sides (the larger one of the
-/// two bodies). Random and flat-on-flat pairs up to aspect 100, with overlaps up to 0.45 det W / tr W, left
-/// 0.63 of this at most.
+/// A step of third order e leaves an error of less than k (c1 k r^2 + c2 T) e^3, with k the
+/// condition number of the Hessian as tr^2 / det, r the relative change of the radii of curvature
+/// per radian, and T = tr A / s^2 their second change where the first is 0, on flat sides (the
+/// larger one of the two bodies). Random and flat-on-flat pairs up to aspect 100, with overlaps up
+/// to 0.45 det W / tr W, left 0.63 of this at most.
 constexpr double third_order_squared_rate = 0.1;
 constexpr double third_order_flat = 0.125;
 

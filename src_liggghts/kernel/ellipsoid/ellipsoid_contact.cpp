@@ -71,8 +71,8 @@ TangentStep newton_step(const OverlapFunction<Vector3>& f, const SymmetricMatrix
     step.length = tolerance::largest_step;
   }
   step.slope = dot(f.tangential_gradient(), step.shift);
-  step.predicted_error =
-      h.trace * h.trace * h.inverse_determinant * f.radius_change_rate() * step.length * step.length;
+  step.predicted_error = h.trace * h.trace * h.inverse_determinant * f.radius_change_rate() *
+                         step.length * step.length;
   return step;
 }
 
@@ -84,8 +84,7 @@ bool line_search(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3
   for (int halving = 0; halving < tolerance::halving_limit; ++halving, share *= 0.5) {
     const Vector3 n = normalized(f.normal + share * step.shift);
     const OverlapFunction trial(i.a_matrix, j.a_matrix, centre_distance, n);
-    if (trial.value <=
-        f.value + tolerance::sufficient_decrease * share * step.slope + f.noise()) {
+    if (trial.value <= f.value + tolerance::sufficient_decrease * share * step.slope + f.noise()) {
       f = trial;
       return true;
     }
@@ -95,8 +94,8 @@ bool line_search(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3
 
 /// @param[in] det_sum det(W_i + W_j) at the contact (length^2)
 ContactGeometry assemble(const EllipsoidShape& i, const EllipsoidShape& j,
-                         const Vector3& centre_distance, const OverlapFunction<Vector3>& f, double det_sum,
-                         ContactStatus status, int iterations) {
+                         const Vector3& centre_distance, const OverlapFunction<Vector3>& f,
+                         double det_sum, ContactStatus status, int iterations) {
   ContactGeometry c;
   c.status = status;
   c.normal = f.normal;
@@ -115,7 +114,8 @@ ContactGeometry assemble(const EllipsoidShape& i, const EllipsoidShape& j,
 ContactGeometry descend(const Vector3& start, const EllipsoidShape& i, const EllipsoidShape& j,
                         const Vector3& centre_distance, const SearchOptions& options) {
   OverlapFunction f(i.a_matrix, j.a_matrix, centre_distance, start);
-  const auto finish = [&](const OverlapFunction<Vector3>& at, ContactStatus otherwise, int iterations) {
+  const auto finish = [&](const OverlapFunction<Vector3>& at, ContactStatus otherwise,
+                          int iterations) {
     return assemble(i, j, centre_distance, at,
                     tangent_determinant(curvature_radii_sum(i.a_matrix, j.a_matrix, at)),
                     at.value < 0.0 ? ContactStatus::separated : otherwise, iterations);
@@ -127,9 +127,9 @@ ContactGeometry descend(const Vector3& start, const EllipsoidShape& i, const Ell
     const TangentStep step = newton_step(f, radii);
     const bool last = step.newton && step.predicted_error <= tolerance::normal_error;
     if (last && step.length <= tolerance::extrapolated_step)
-      return finish(extrapolated(i.a_matrix, j.a_matrix, f, OverlapHessian(radii, f.value),
-                                 step.shift),
-                    ContactStatus::touching, iteration + 1);
+      return finish(
+          extrapolated(i.a_matrix, j.a_matrix, f, OverlapHessian(radii, f.value), step.shift),
+          ContactStatus::touching, iteration + 1);
     const bool moved = line_search(i, j, centre_distance, step, f);
     if (last || !moved)
       return finish(f, ContactStatus::touching, iteration + 1);
@@ -208,8 +208,8 @@ ContactGeometry search_deep(ContactGeometry best, const EllipsoidShape& i, const
   std::partial_sort(ranking.begin(), ranking.begin() + best_count, ranking.end());
   for (int k = 0; k < best_count; ++k) {
     const int direction = ranking[static_cast<std::size_t>(k)].second;
-    const ContactGeometry c = descend(directions[static_cast<std::size_t>(direction)], i, j,
-                                      centre_distance, options);
+    const ContactGeometry c =
+        descend(directions[static_cast<std::size_t>(direction)], i, j, centre_distance, options);
     if (c.status == ContactStatus::separated)
       return c;
     if (c.status == ContactStatus::touching &&

@@ -41,8 +41,8 @@ inline EllipsoidShape make_shape(const Vector3& semiaxes, const Quaternion& orie
   EllipsoidShape shape;
   shape.a_matrix = rotated_diagonal(rotation(orientation), aa, bb, cc);
   shape.axes_product = semiaxes.x * semiaxes.y * semiaxes.z;
-  shape.smallest_curvature_radius = std::min(std::min(aa, bb), cc) /
-                                    std::max(std::max(semiaxes.x, semiaxes.y), semiaxes.z);
+  shape.smallest_curvature_radius =
+      std::min(std::min(aa, bb), cc) / std::max(std::max(semiaxes.x, semiaxes.y), semiaxes.z);
   return shape;
 }
 
@@ -104,7 +104,8 @@ RelativeCurvature relative_curvature(const EllipsoidShape& i, const Vector3& nor
 
 /// Whether an ellipsoid reaches as far as a plane, or nearly (by a share of 1e-9): cheaper than
 /// find_plane_contact(), of which most bodies near a wall need no more.
-/// @param[in] semiaxes a, b, c along the body's x, y, z (length), @param[in] orientation unit quaternion
+/// @param[in] semiaxes a, b, c along the body's x, y, z (length), @param[in] orientation unit
+/// quaternion
 /// @param[in] normal unit, to the plane, @param[in] distance of the plane from the centre (length)
 inline bool may_touch_plane(const Vector3& semiaxes, const Quaternion& orientation,
                             const Vector3& normal, double distance) {

@@ -73,8 +73,8 @@ template <class Vector> struct OverlapFunction {
   }
 };
 
-/// W_i + W_j, W = (A - (A n)(A n)^T / s^2) / s: radii of curvature (length). W n = 0: what happens in
-/// the tangent plane needs no axes there.
+/// W_i + W_j, W = (A - (A n)(A n)^T / s^2) / s: radii of curvature (length). W n = 0: what happens
+/// in the tangent plane needs no axes there.
 inline SymmetricMatrix3 curvature_radii_sum(const SymmetricMatrix3& a_i,
                                             const SymmetricMatrix3& a_j,
                                             const OverlapFunction<Vector3>& f) {
@@ -119,8 +119,7 @@ template <class Matrix> struct OverlapHessian {
 
   OverlapHessian(const Matrix& radii_sum, double value)
       : radii(radii_sum), phi(value), trace(ellipsoid::trace(radii_sum) - 2.0 * value),
-        determinant(tangent_determinant(radii_sum) -
-                    value * (ellipsoid::trace(radii_sum) - value)),
+        determinant(tangent_determinant(radii_sum) - value * (ellipsoid::trace(radii_sum) - value)),
         inverse_determinant(1.0 / determinant) {}
 
   /// -H^-1 v of a vector in the tangent plane: there H^-1 = (tr H I - H) / det H.
@@ -134,8 +133,8 @@ template <class Matrix> struct OverlapHessian {
   }
 };
 
-/// What changes in one ellipsoid's support s and support point p from the normal n to the direction n + t,
-/// with t tangent to n.
+/// What changes in one ellipsoid's support s and support point p from the normal n to the direction
+/// n + t, with t tangent to n.
 template <class Vector> struct SupportChange {
   double along;  ///< of s, first order: p.t (length)
   Vector first;  ///< of p, first order: W t (length)
@@ -153,15 +152,16 @@ template <class Vector> struct SupportChange {
   }
 };
 
-/// The minimum of phi near a normal, from derivatives there: Newton's step t, and Chebyshev's correction
-/// -H^-1 (dH/dt) t / 2 of it (J. F. Traub, Iterative Methods for the Solution of Equations, 1964). In
-/// directions n + t the support points alone bring terms of second order. Errors are of third order of t, that of phi is
-/// of fourth. The gradient is not carried along. When i and j are swapped only signs change, not a bit else.
+/// The minimum of phi near a normal, from derivatives there: Newton's step t, and Chebyshev's
+/// correction -H^-1 (dH/dt) t / 2 of it (J. F. Traub, Iterative Methods for the Solution of
+/// Equations, 1964). In directions n + t the support points alone bring terms of second order.
+/// Errors are of third order of t, that of phi is of fourth. The gradient is not carried along.
+/// When i and j are swapped only signs change, not a bit else.
 /// @param[in] shift Newton's step (rad); 0: stays where it is
 template <class Vector, class Matrix>
-inline OverlapFunction<Vector>
-extrapolated(const Matrix& a_i, const Matrix& a_j, const OverlapFunction<Vector>& f,
-             const OverlapHessian<Matrix>& h, const Vector& shift) {
+inline OverlapFunction<Vector> extrapolated(const Matrix& a_i, const Matrix& a_j,
+                                            const OverlapFunction<Vector>& f,
+                                            const OverlapHessian<Matrix>& h, const Vector& shift) {
   const SupportChange<Vector> i(a_i, f.support_point_i, f.inverse_support_i, shift),
       j(a_j, f.support_point_j, f.inverse_support_j, shift);
   const Vector bent = i.second + j.second;

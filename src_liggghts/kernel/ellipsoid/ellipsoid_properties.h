@@ -37,9 +37,10 @@ inline double surface_area(const Vector3& semiaxes) {
   const double sine = std::sqrt(sine2), angle = std::acos(ratio);
   const double modulus2 = a * a * (b * b - c * c) / (b * b * (a * a - c * c));
   const double modulus = std::sqrt(std::clamp(modulus2, 0.0, 1.0));
-  return 2.0 * M_PI * (c * c + a * b / sine *
-                                   (std::ellint_2(modulus, angle) * sine2 +
-                                    std::ellint_1(modulus, angle) * ratio * ratio));
+  return 2.0 * M_PI *
+         (c * c + a * b / sine *
+                      (std::ellint_2(modulus, angle) * sine2 +
+                       std::ellint_1(modulus, angle) * ratio * ratio));
 }
 
 } // namespace ellipsoid

@@ -19,15 +19,14 @@ struct EllipseTrial {
   explicit EllipseTrial(double log_k_)
       : log_k(log_k_), k(std::exp(log_k_)), integrals(elliptic_integrals(k)) {
     // Johnson 1985, eq. 4.28: B/A = (E/k^2 - K) / (K - E) = (K - D) / (k^2 D)
-    log_ratio =
-        std::log((integrals.first - integrals.second) / (k * k * integrals.second));
+    log_ratio = std::log((integrals.first - integrals.second) / (k * k * integrals.second));
   }
 };
 
 /// The ellipse that belongs to ln(B/A), by a secant search for ln k.
 EllipseTrial find_ellipse(double log_ratio) {
-  // Start: k = (A/B)^(2/3) (Johnson 1985, eq. 4.30) with a fitted correction of the exponent, good to
-  // 0.1 % up to B/A = 10^4.
+  // Start: k = (A/B)^(2/3) (Johnson 1985, eq. 4.30) with a fitted correction of the exponent, good
+  // to 0.1 % up to B/A = 10^4.
   const double square = log_ratio * log_ratio, denominator = 1.0 + 0.031 * square;
   const double correction = 1.0 + 0.0047 * square / denominator;
   const double growth = 0.0094 * square / (denominator * denominator); // log_ratio d(correction)

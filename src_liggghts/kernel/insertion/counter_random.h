@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Random numbers that depend on (seed, particle, draw) only: the same on any number of ranks, in any
-// order, and after a restart.
+// Random numbers that depend on (seed, particle, draw) only: the same on any number of ranks, in
+// any order, and after a restart.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace ellipsoid {
 
 /// SplitMix64 (Steele, Lea, Flood 2014) as a counter-based generator.
 class CounterRandom {
-public:
+ public:
   CounterRandom(std::uint64_t seed, std::uint64_t particle)
       : state_(scramble(seed) ^ scramble(particle * golden + 1U)) {}
 
@@ -22,7 +22,7 @@ public:
   /// Uniform in [low, high).
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
-private:
+ private:
   static constexpr std::uint64_t golden = 0x9e3779b97f4a7c15U;
   std::uint64_t state_;
 

@@ -10,7 +10,7 @@ namespace ellipsoid {
 /// A random number > 0 that is drawn from one uniform number, so that any source of those will do.
 /// Normal and lognormal ones are cut at `cut` standard deviations of the normal variable.
 class SizeDistribution {
-public:
+ public:
   enum class Kind { constant, uniform, gaussian, lognormal };
   static constexpr double cut = 3.0;
 
@@ -50,7 +50,7 @@ public:
     }
   }
 
-private:
+ private:
   Kind kind_;
   double first_, second_;
 

@@ -34,9 +34,9 @@ enum class SlipDirection {
 };
 
 struct TangentialContact {
-  double stiffness;         ///< of the spring (force/length)
-  double damping;           ///< eta_t m_ij (mass/time)
-  double friction_limit;    ///< mu |F_n| (force)
+  double stiffness;          ///< of the spring (force/length)
+  double damping;            ///< eta_t m_ij (mass/time)
+  double friction_limit;     ///< mu |F_n| (force)
   Vector3 relative_velocity; ///< tangential (length/time)
 };
 

@@ -37,12 +37,11 @@ template <class Place> struct ContactAtHand {
     const double normal_velocity = dot(velocity, normal);
     at.put(w.of, Work::slip_x, velocity - normal_velocity * normal);
 
-    const double overlap = in(C::overlap), root = std::sqrt(in(C::radius) * overlap);
+    const double overlap = in(C::overlap), root = std::sqrt(in(C::radius)*overlap);
     const double elastic = normal_stiffness(in(C::modulus), root) * overlap;
     const double mass = PairMasses{in(C::mass_i), in(C::mass_j)}.effective();
-    const double pressing = elastic - in(C::normal_damping) * mass * normal_velocity; // eq. 23
-    const double smallest =
-        c.pass.no_attraction ? 0.0 : -std::numeric_limits<double>::infinity();
+    const double pressing = elastic - in(C::normal_damping)*mass * normal_velocity; // eq. 23
+    const double smallest = c.pass.no_attraction ? 0.0 : -std::numeric_limits<double>::infinity();
     c.out[C::normal_force][at.k] = pressing < smallest ? smallest : pressing;
     w.of[Work::root][at.k] = root;
     w.of[Work::mass][at.k] = mass;
@@ -63,17 +62,17 @@ template <class Place> struct ContactAtHand {
   /// tangential_force() along the displacement, without branches, and what the contact does.
   void rub() const {
     const double normal_force = c.out[C::normal_force][at.k];
-    const double limit = in(C::friction) * std::fabs(normal_force);
+    const double limit = in(C::friction)*std::fabs(normal_force);
     const double stiffness = tangential_stiffness(in(C::shear_modulus), w.of[Work::root][at.k]);
-    const double damping = in(C::tangential_damping) * w.of[Work::mass][at.k];
+    const double damping = in(C::tangential_damping)*w.of[Work::mass][at.k];
     const Vector spring = at.vector(c.out, C::new_sx);
     const Vector viscous = damping * at.vector(w.of, Work::slip_x);
     const Vector trial = -stiffness * spring - viscous;
     const double magnitude = norm(trial);
     const bool slips = magnitude > limit;
     const Vector friction = (slips ? limit / magnitude : 1.0) * trial; // eq. 24
-    at.put(c.out, C::new_sx, chosen(slips & (stiffness > 0.0),
-                                    (-1.0 / stiffness) * (friction + viscous), spring));
+    at.put(c.out, C::new_sx,
+           chosen(slips & (stiffness > 0.0), (-1.0 / stiffness) * (friction + viscous), spring));
 
     const Vector force = normal_force * vector_in(C::nx) + friction;
     at.put(c.out, C::fx, force);
@@ -95,7 +94,8 @@ template <class Place> inline void apply_laws(Columns& c, int size) {
 
 /// Whether the bodies are bodies in the plane that move in it.
 inline bool in_plane(const Columns& c, int size) {
-  return all_zero(c.in, {C::nz, C::liz, C::ljz, C::vz, C::wix, C::wiy, C::wjx, C::wjy, C::sz}, size);
+  return all_zero(c.in, {C::nz, C::liz, C::ljz, C::vz, C::wix, C::wiy, C::wjx, C::wjy, C::sz},
+                  size);
 }
 
 inline void law_loop(Columns& c, int size) {

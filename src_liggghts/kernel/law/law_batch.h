@@ -63,8 +63,8 @@ class ContactLawBatch : public Batch {
   void add(const ContactPlace& place, const PairMotion& motion, const LawParameters& parameters,
            const PairMasses& masses, const Vector3& spring);
 
-  /// Instead of add(): as many contacts as the batch has pairs, at the places that it found. Each of them
-  /// then needs move(); what becomes of a pair that is apart means nothing.
+  /// Instead of add(): as many contacts as the batch has pairs, at the places that it found. Each
+  /// of them then needs move(); what becomes of a pair that is apart means nothing.
   void take_places(const ContactBatch& pairs);
   void move(int k, const PairMotion& motion, const LawParameters& parameters,
             const PairMasses& masses, const Vector3& spring);
@@ -82,18 +82,62 @@ class ContactLawBatch : public Batch {
 
   /// Columns of numbers, one per contact.
   struct Columns {
-    enum Input { nx, ny, nz, lix, liy, liz, ljx, ljy, ljz, overlap, radius, vx, vy, vz, wix, wiy, wiz,
-                 wjx, wjy, wjz, modulus, shear_modulus, normal_damping, tangential_damping, friction,
-                 mass_i, mass_j, sx, sy, sz, input_count };
-    enum Result { fx, fy, fz, tix, tiy, tiz, tjx, tjy, tjz, normal_force, new_sx, new_sy, new_sz,
-                  result_count };
+    enum Input {
+      nx,
+      ny,
+      nz,
+      lix,
+      liy,
+      liz,
+      ljx,
+      ljy,
+      ljz,
+      overlap,
+      radius,
+      vx,
+      vy,
+      vz,
+      wix,
+      wiy,
+      wiz,
+      wjx,
+      wjy,
+      wjz,
+      modulus,
+      shear_modulus,
+      normal_damping,
+      tangential_damping,
+      friction,
+      mass_i,
+      mass_j,
+      sx,
+      sy,
+      sz,
+      input_count
+    };
+    enum Result {
+      fx,
+      fy,
+      fz,
+      tix,
+      tiy,
+      tiz,
+      tjx,
+      tjy,
+      tjz,
+      normal_force,
+      new_sx,
+      new_sy,
+      new_sz,
+      result_count
+    };
     alignas(64) double in[input_count][column_length];
     alignas(64) double out[result_count][column_length];
     LawPass pass{};
     bool are_in_plane = false; ///< all contacts, and so forces along x and y and torques along z
   };
 
-private:
+ private:
   Columns columns_{};
 };
 

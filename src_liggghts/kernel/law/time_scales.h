@@ -4,8 +4,8 @@
 // collide.
 #pragma once
 
-#include "multisphere/multisphere_contact.h"
 #include "math/vector3.h"
+#include "multisphere/multisphere_contact.h"
 
 #include <algorithm>
 #include <cmath>

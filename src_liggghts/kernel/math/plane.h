@@ -1,9 +1,9 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Values for bodies in the plane: all centres at the same height, and every body its own mirror image in
-// that plane. Normals, contacts and forces then have no part along z, and what the kernel computes from
-// vectors of three numbers comes out, bit for bit, from two. A loop that is a template over its vectors
-// (contact_batch.cpp, law_batch.cpp) is compiled for both.
+// Values for bodies in the plane: all centres at the same height, and every body its own mirror
+// image in that plane. Normals, contacts and forces then have no part along z, and what the kernel
+// computes from vectors of three numbers comes out, bit for bit, from two. A loop that is a
+// template over its vectors (contact_batch.cpp, law_batch.cpp) is compiled for both.
 #pragma once
 
 #include "math/vector3.h"

@@ -17,7 +17,7 @@ using GearDerivatives = std::array<double, 4>;
 /// Tildesley, Computer Simulation of Liquids (1987), appendix E: prediction by Taylor's series,
 /// then correction of each derivative in proportion to the error of the predicted second one.
 class Gear {
-public:
+ public:
   explicit Gear(double time_step) {
     double power = 1.0;
     for (int n = 1; n <= 5; ++n) {
@@ -48,7 +48,7 @@ public:
       d[k] += gain_[k + 2] * error;
   }
 
-private:
+ private:
   std::array<double, 6> term_{{1.0, 0.0, 0.0, 0.0, 0.0, 0.0}};
   std::array<double, 6> gain_{};
 };

@@ -49,8 +49,9 @@ namespace detail {
 
 /// Turns about one body axis by the angle whose half has the tangent `half`: the rational (Cayley)
 /// rotation, of second order in the angle. `p`, `q` are the momentum's components along the two
-/// other axes in cyclic order, whose length is kept exactly; `a` is the quaternion's component of the
-/// turned axis, `b`, `c` those of the others in the same order: its norm grows by sqrt(1 + half^2).
+/// other axes in cyclic order, whose length is kept exactly; `a` is the quaternion's component of
+/// the turned axis, `b`, `c` those of the others in the same order: its norm grows by sqrt(1 +
+/// half^2).
 inline void turn(double half, double& p, double& q, double& w, double& a, double& b, double& c) {
   const double sine = 2.0 * half / (1.0 + half * half); // cosine: 1 - half sine
   const double p_new = p + sine * (q - half * p), q_new = q - sine * (p + half * q);
@@ -120,10 +121,11 @@ inline Rotating rotate_freely(const Quaternion& orientation, const Vector3& mome
 
 /// Moment of inertia about the space z axis, and how far z is from a principal axis.
 struct PlanarInertia {
-  /// The principal moment itself (mass length^2): rounding of the orientation leaves no trace in it.
+  /// The principal moment itself (mass length^2): rounding of the orientation leaves no trace in
+  /// it.
   double about_z;
-  double misaligned; ///< sine^2 of the angle between z and I z: 0 for every principal axis, also for
-                     ///< any across the symmetry axis of a body with two equal moments
+  double misaligned; ///< sine^2 of the angle between z and I z: 0 for every principal axis, also
+                     ///< for any across the symmetry axis of a body with two equal moments
 };
 
 /// For bodies with a principal axis along z, which `misaligned` tells.
@@ -134,9 +136,7 @@ inline PlanarInertia planar_inertia(const Quaternion& orientation, const Vector3
   // z lies along one axis, or between axes of equal moments: the first with more than this share of
   // z. No common angle is near the limit, so that rounding does not change the choice.
   const double share = 0.31 * dot(z, z);
-  const double about_z = z.x * z.x > share   ? inertia.x
-                         : z.y * z.y > share ? inertia.y
-                                             : inertia.z;
+  const double about_z = z.x * z.x > share ? inertia.x : z.y * z.y > share ? inertia.y : inertia.z;
   return {about_z, dot(across, across) / dot(momentum, momentum)};
 }
 

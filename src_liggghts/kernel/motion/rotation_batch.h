@@ -1,11 +1,11 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Free rotation of many bodies at once: rotate_freely() in a loop that the compiler turns into vector
-// instructions. The results are those of the function, bit for bit.
+// Free rotation of many bodies at once: rotate_freely() in a loop that the compiler turns into
+// vector instructions. The results are those of the function, bit for bit.
 #pragma once
 
-#include "vectorised/batch.h"
 #include "motion/rigid_body.h"
+#include "vectorised/batch.h"
 
 namespace ellipsoid {
 
@@ -28,7 +28,7 @@ class RotationBatch : public Batch {
     double time_step;
   };
 
-private:
+ private:
   Columns columns_;
 };
 

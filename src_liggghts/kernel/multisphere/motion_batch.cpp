@@ -31,9 +31,8 @@ inline void take_all_loop(Rows& rows, int count) {
   take_squared_changes(rows.poses.orientations, rows.poses.last_orientations, 4 * count, squares);
 #pragma GCC ivdep
   for (int k = 0; k < count; ++k)
-    turns[k] = radii[k] *
-               largest_angle(std::sqrt(squares[4 * k] + squares[4 * k + 1] + squares[4 * k + 2] +
-                                       squares[4 * k + 3]));
+    turns[k] = radii[k] * largest_angle(std::sqrt(squares[4 * k] + squares[4 * k + 1] +
+                                                  squares[4 * k + 2] + squares[4 * k + 3]));
 }
 
 ELLIPSOID_VECTOR_VERSIONS(take_all, Rows)
@@ -51,8 +50,7 @@ inline void take_chains_loop(ChainStep& step, int count) {
   const double* q = step.chains.orientations;
 #pragma GCC ivdep
   for (int k = 0; k < count; ++k) {
-    const Vector3 axis =
-        rotation({q[4 * k], q[4 * k + 1], q[4 * k + 2], q[4 * k + 3]}).column_x;
+    const Vector3 axis = rotation({q[4 * k], q[4 * k + 1], q[4 * k + 2], q[4 * k + 3]}).column_x;
     x[k] = axis.x;
     y[k] = axis.y;
     z[k] = axis.z;

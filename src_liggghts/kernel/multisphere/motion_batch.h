@@ -2,13 +2,14 @@
 //
 // What the surfaces of many particles did in a step, from where they are and where they were.
 //
-// In a step a particle is displaced with its centre, and turns by the angle between its two orientations,
-// whatever moved it. What counts is how far it reaches in a direction: when it turns by an angle, that
-// changes by at most the angle times the difference of the largest and the smallest semi-axis.
+// In a step a particle is displaced with its centre, and turns by the angle between its two
+// orientations, whatever moved it. What counts is how far it reaches in a direction: when it turns
+// by an angle, that changes by at most the angle times the difference of the largest and the
+// smallest semi-axis.
 #pragma once
 
-#include "separation/motion_clocks.h"
 #include "multisphere/multisphere_contact.h"
+#include "separation/motion_clocks.h"
 
 #include <algorithm>
 #include <cmath>

@@ -85,8 +85,8 @@ void clip_line_distance(OuterLine& line, double bound) {
 
 } // namespace
 
-OuterLine outer_line(const ChainPose& outer, const ChainPose& inner,
-                     const Vector3& outer_position, double gap) {
+OuterLine outer_line(const ChainPose& outer, const ChainPose& inner, const Vector3& outer_position,
+                     double gap) {
   const double outer_half = outer.scale * outer.chain->half_length();
   const double inner_half = inner.scale * inner.chain->half_length();
   const double radii = outer.scale * outer.chain->largest_radius() +

@@ -22,8 +22,8 @@
 // left are tested exactly.
 #pragma once
 
-#include "multisphere/multisphere_template.h"
 #include "math/vector3.h"
+#include "multisphere/multisphere_template.h"
 
 #include <cmath>
 #include <vector>
@@ -202,8 +202,8 @@ class InnerView {
   int& tested_;
 };
 
-/// Calls visit(outer sphere, inner sphere, overlap) for every pair that may be closer than `gap`; the
-/// overlap is negative between spheres apart, and good to search_rounding.
+/// Calls visit(outer sphere, inner sphere, overlap) for every pair that may be closer than `gap`;
+/// the overlap is negative between spheres apart, and good to search_rounding.
 /// @param[out] tested is increased by the number of distances computed
 template <class Visit>
 void for_each_candidate(const ChainPose& outer, const ChainPose& inner,

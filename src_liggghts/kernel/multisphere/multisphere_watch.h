@@ -2,14 +2,14 @@
 //
 // Which pairs of spheres of two neighbouring chains have to be tested in a time step.
 //
-// A search (multisphere_contact.h) finds all pairs of spheres closer than a gap. Until both bodies may
-// have come closer by that much (motion_clocks.h), no other pair of spheres can touch, and a pair of
-// chains without such spheres needs no look at all. The proof is exact, and what touches does not
-// depend on when the last search was.
+// A search (multisphere_contact.h) finds all pairs of spheres closer than a gap. Until both bodies
+// may have come closer by that much (motion_clocks.h), no other pair of spheres can touch, and a
+// pair of chains without such spheres needs no look at all. The proof is exact, and what touches
+// does not depend on when the last search was.
 #pragma once
 
-#include "separation/motion_clocks.h"
 #include "multisphere/multisphere_contact.h"
+#include "separation/motion_clocks.h"
 
 #include <cstddef>
 #include <vector>
@@ -36,8 +36,8 @@ class ContactWatch {
 
   /// Gaps are good to search_rounding: a gap is used up to this share.
   static constexpr double usable_share = 1.0 - 1e-6;
-  /// Where no spheres have to be tested a search looks so many times farther: the pair of chains rests
-  /// until the nearest of them could touch.
+  /// Where no spheres have to be tested a search looks so many times farther: the pair of chains
+  /// rests until the nearest of them could touch.
   static constexpr double second_reach = 4.0;
 
   /// Forgets everything; `pairs` pairs of chains, all of them due.
@@ -60,8 +60,8 @@ class ContactWatch {
     double gap; ///< until the bodies are closer by so much no other spheres touch (length)
     int tested; ///< distances between spheres that were computed
   };
-  /// Searches the pair, which is due then until set_deadlines(); all its spheres to test are without slot,
-  /// in ascending order.
+  /// Searches the pair, which is due then until set_deadlines(); all its spheres to test are
+  /// without slot, in ascending order.
   /// @param[in] centre_distance x_j - x_i (length)
   /// @param[in] gap > 0: spheres closer than this are to be tested (length)
   Search search(std::size_t pair, const ChainPose& i, const ChainPose& j,

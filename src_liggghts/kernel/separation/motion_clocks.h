@@ -2,8 +2,9 @@
 //
 // How long bodies that are apart stay apart, whatever happens to them.
 //
-// In one step a body is displaced by w, and what else it does changes its reach in any direction by no more
-// than t (its turn). Two bodies a gap g apart along the unit normal n, from i to j, that went on like that would come closer by
+// In one step a body is displaced by w, and what else it does changes its reach in any direction by
+// no more than t (its turn). Two bodies a gap g apart along the unit normal n, from i to j, that
+// went on like that would come closer by
 //   c = n.(w_i - w_j) + t_i + t_j
 // in every step: motion that they have in common costs nothing. But motions change, by
 // |w' - w| + |t' - t| from one step to the next. Every body has a clock that adds up these changes,
@@ -28,7 +29,7 @@ namespace ellipsoid {
 /// Of a body in one step.
 struct Motion {
   Vector3 displacement; ///< (length)
-  double turn = 0.0; ///< by which its reach in any direction changed at most besides (length)
+  double turn = 0.0;    ///< by which its reach in any direction changed at most besides (length)
 };
 
 /// Motions of some bodies that follow each other.
@@ -57,8 +58,8 @@ class MotionClocks {
     time_.assign(bodies, 0.0);
     steps_ = pace_per_time_ = 0.0;
   }
-  /// Before restart(): the clocks are then as new ones. A run that is set up in the middle goes on like one
-  /// that is read from a restart file.
+  /// Before restart(): the clocks are then as new ones. A run that is set up in the middle goes on
+  /// like one that is read from a restart file.
   void forget() { steps_ = 0.0; }
   /// What the first motion is compared with: a guess of it, good or bad.
   void expect(std::size_t body, const Motion& motion) {
@@ -109,8 +110,7 @@ class MotionClocks {
   Deadlines deadlines(int i, int j, double gap, double approach) {
     const double pace_i = pace(i), pace_j = pace(j), both = pace_i + pace_j;
     const double trusted = trusted_share * gap, root = std::sqrt(both * trusted);
-    const double steps =
-        approach >= root ? trusted / approach : (2.0 * root - approach) / both;
+    const double steps = approach >= root ? trusted / approach : (2.0 * root - approach) / both;
     return {time(i) + steps * pace_i, time(j) + steps * pace_j};
   }
   /// The gap that is good for so many steps if motions change as usual (length, >= 0).

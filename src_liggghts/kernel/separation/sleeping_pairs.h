@@ -2,9 +2,9 @@
 //
 // Pairs of neighbours that are apart, and when they have to be looked at again.
 //
-// Bodies that are apart stay apart until the clock of one of them reaches a deadline (motion_clocks.h):
-// until then the pair sleeps. Nobody has to ask every pair in every step: a body looks at its pairs
-// only when its clock has come to the first of their deadlines.
+// Bodies that are apart stay apart until the clock of one of them reaches a deadline
+// (motion_clocks.h): until then the pair sleeps. Nobody has to ask every pair in every step: a body
+// looks at its pairs only when its clock has come to the first of their deadlines.
 #pragma once
 
 #include "separation/motion_clocks.h"
@@ -20,7 +20,8 @@ namespace ellipsoid {
 class SleepingPairs {
  public:
   /// New pairs, all of them awake; bodies are numbered from 0.
-  /// @param[in] for_each_pair for_each_pair(visit) calls visit(i, j) for the pair of each place, 0, 1,
+  /// @param[in] for_each_pair for_each_pair(visit) calls visit(i, j) for the pair of each place, 0,
+  /// 1,
   ///            2 ...; all pairs with the same `i` follow each other. It is called twice.
   template <class ForEachPair> void restart(std::size_t bodies, const ForEachPair& for_each_pair) {
     begin(bodies);
@@ -38,8 +39,8 @@ class SleepingPairs {
   /// @param[in] gap > 0, @param[in] approach in a step, see MotionClocks (length)
   void sleep(std::size_t place, int i, double gap, double approach, MotionClocks& clocks);
 
-  /// Wakes the pairs that are due: on_due(place, i, j) for each; after_some() now and then, where pairs may
-  /// be sent to sleep again.
+  /// Wakes the pairs that are due: on_due(place, i, j) for each; after_some() now and then, where
+  /// pairs may be sent to sleep again.
   template <class OnDue, class AfterSome>
   void wake(const MotionClocks& clocks, const OnDue& on_due, const AfterSome& after_some) {
     int due[block];

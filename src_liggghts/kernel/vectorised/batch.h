@@ -24,8 +24,8 @@ class Batch {
   int size_ = 0;
 };
 
-/// Fills columns of numbers up to a multiple of `width` with their last row, which is there, so that
-/// no loop needs a rest.
+/// Fills columns of numbers up to a multiple of `width` with their last row, which is there, so
+/// that no loop needs a rest.
 /// @return number of rows
 template <class Columns> int filled_up(Columns& columns, int size, int width = 8) {
   int filled = size;

@@ -7,17 +7,17 @@
 // hundred instructions. So a long calculation is split into several short loops over all items.
 #pragma once
 
-#include "vectorised/batch.h"
 #include "math/plane.h"
 #include "math/vector3.h"
+#include "vectorised/batch.h"
 
 #include <cstdint>
 #include <initializer_list>
 
 namespace ellipsoid {
 
-/// Items that a loop treats in one go, two of the widest vectors: loops of known length need no rest. Beyond
-/// the last item a batch's columns hold numbers that mean nothing.
+/// Items that a loop treats in one go, two of the widest vectors: loops of known length need no
+/// rest. Beyond the last item a batch's columns hold numbers that mean nothing.
 constexpr int loop_width = 16;
 static_assert(Batch::capacity % loop_width == 0, "whole loops");
 

@@ -16,8 +16,10 @@ namespace ellipsoid {
   __attribute__((flatten, target("avx2"))) void NAME##_avx2(COLUMNS& c, int size) {                \
     NAME##_loop(c, size);                                                                          \
   }                                                                                                \
-  __attribute__((flatten, target("avx512f,avx512dq,avx512vl,prefer-vector-width=512"))) void      \
-      NAME##_avx512(COLUMNS& c, int size) {                                                        \
+  __attribute__((                                                                                  \
+      flatten,                                                                                     \
+      target("avx512f,avx512dq,avx512vl,prefer-vector-width=512"))) void NAME##_avx512(COLUMNS& c, \
+                                                                                       int size) { \
     NAME##_loop(c, size);                                                                          \
   }                                                                                                \
   NAME##_t NAME##_for_this_processor() {                                                           \

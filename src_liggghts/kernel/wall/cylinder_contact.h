@@ -2,8 +2,8 @@
 //
 // Contact with an infinitely long circular cylinder as a wall, from inside or outside.
 //
-// Seen along the cylinder's axis an ellipsoid is an ellipse, its shadow, with support function s. With m
-// from the body's centre to the axis (normal to it) and a unit normal n across the axis,
+// Seen along the cylinder's axis an ellipsoid is an ellipse, its shadow, with support function s.
+// With m from the body's centre to the axis (normal to it) and a unit normal n across the axis,
 //   inside:  overlap = s(n) - n.m - R at the maxima of s(n) - n.m, the distance from the axis;
 //            there may be two, at the tips of a long body: two contacts;
 //   outside: overlap = s(n) - n.m + R at its minimum, as for two convex bodies.
@@ -16,17 +16,17 @@
 // (matrix determinant lemma), so R of (19) is that at a plane divided by sqrt(1 -+ w / R).
 #pragma once
 
-#include "wall/surface_points.h"
 #include "multisphere/multisphere_contact.h"
+#include "wall/surface_points.h"
 
 #include <array>
 
 namespace ellipsoid {
 
 struct Cylinder {
-  Vector3 centre;          ///< any point of the axis, relative to the particle's centre (length)
-  Vector3 axis;            ///< unit
-  double radius = 0.0;     ///< R (length)
+  Vector3 centre;      ///< any point of the axis, relative to the particle's centre (length)
+  Vector3 axis;        ///< unit
+  double radius = 0.0; ///< R (length)
 };
 
 struct CylinderContacts {

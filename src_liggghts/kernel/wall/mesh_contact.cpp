@@ -18,8 +18,9 @@ bool is_supported(const TriangleContact& c, const std::vector<Triangle>& triangl
       continue;
     for (const Vector3& node : t) {
       const Vector3 way = node - c.foot;
-      if (dot(c.normal, way) < -wall_tolerance::behind_plane * norm(way) -
-                                   wall_tolerance::shared_point * wall_tolerance::behind_plane * size)
+      if (dot(c.normal, way) <
+          -wall_tolerance::behind_plane * norm(way) -
+              wall_tolerance::shared_point * wall_tolerance::behind_plane * size)
         return false;
     }
   }
@@ -40,8 +41,8 @@ bool is_same(const TriangleContact& c, const TriangleContact& d, double size) {
          norm(c.normal - d.normal) <= wall_tolerance::same_contact;
 }
 
-/// Whether c is a deeper minimum beside d on the same ridge or plane: its foot lies in or beyond the
-/// tangent plane of d. (In a groove the feet lie in front of each other's planes.)
+/// Whether c is a deeper minimum beside d on the same ridge or plane: its foot lies in or beyond
+/// the tangent plane of d. (In a groove the feet lie in front of each other's planes.)
 bool is_outdone(const TriangleContact& c, const TriangleContact& d, double size) {
   return c.deep && d.overlap < c.overlap &&
          dot(d.normal, c.foot - d.foot) >= -wall_tolerance::shared_point * size;
@@ -155,7 +156,8 @@ void add_contacts(const Body& body, const Vector3& eye, double size,
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     const TriangleContacts offered = find_triangle_contacts(body, triangles[k]);
     near = near || offered.plane_is_reached;
-    const bool missed = offered.face_is_missed && !reaches_plane(body, offered.face, triangles, size);
+    const bool missed =
+        offered.face_is_missed && !reaches_plane(body, offered.face, triangles, size);
     for (const TriangleContact& c : {missed ? TriangleContact{} : offered.face, offered.boundary})
       if (c.feature != TriangleFeature::none) {
         contacts.push_back(c);

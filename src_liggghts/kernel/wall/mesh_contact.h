@@ -3,11 +3,13 @@
 // Contacts of a particle with a wall of many triangles: which of the triangles' contacts count.
 //
 // Each triangle near the particle offers its contacts (triangle_contact.h). Of these,
-//  - a contact at an edge or corner counts only if no triangle that shares the point reaches in front
-//    of the contact's tangent plane: else the neighbour's own contact is the true one. So there is none
-//    at the seam of coplanar triangles nor in a groove, and one on a ridge;
+//  - a contact at an edge or corner counts only if no triangle that shares the point reaches in
+//  front
+//    of the contact's tangent plane: else the neighbour's own contact is the true one. So there is
+//    none at the seam of coplanar triangles nor in a groove, and one on a ridge;
 //  - a contact point that the body's centre does not see, because a triangle lies between, is none;
-//  - a deep contact gives way to one with a smaller overlap whose tangent plane it lies in or beyond:
+//  - a deep contact gives way to one with a smaller overlap whose tangent plane it lies in or
+//  beyond:
 //    the other side of a ridge, the rim of the same plate;
 //  - the same contact offered by several triangles counts once;
 //  - contacts on triangles of the same surface (coplanar, or nearly so: the caller says which) that

@@ -31,9 +31,10 @@ double find_root(double low, double high, double start, const Evaluate& evaluate
   return x;
 }
 
-/// The nearest point is y_i = a_i^2 p_i / (a_i^2 + t) with t from sum (y_i / a_i)^2 = 1, the largest
-/// root (Eberly, Distance from a point to an ellipse, an ellipsoid, or a hyperellipsoid, 2013).
-/// The unknown is the smallest denominator a_m^2 + t, so that none suffers from cancellation.
+/// The nearest point is y_i = a_i^2 p_i / (a_i^2 + t) with t from sum (y_i / a_i)^2 = 1, the
+/// largest root (Eberly, Distance from a point to an ellipse, an ellipsoid, or a hyperellipsoid,
+/// 2013). The unknown is the smallest denominator a_m^2 + t, so that none suffers from
+/// cancellation.
 struct NearestPoint {
   Triple gap;    // a_i^2 - a_m^2 (length^2)
   Triple weight; // a_i |p_i| (length^2)
@@ -70,7 +71,8 @@ struct NearestPoint {
 };
 
 /// Normal where the point lies on the medial axis: its component along the shortest axis is free.
-Vector3 medial_normal(const Triple& a, const Triple& p, const NearestPoint& f, std::size_t shortest) {
+Vector3 medial_normal(const Triple& a, const Triple& p, const NearestPoint& f,
+                      std::size_t shortest) {
   Triple n{0.0, 0.0, 0.0};
   double rest = 1.0;
   for (std::size_t i = 0; i < 3; ++i)
@@ -86,15 +88,13 @@ Vector3 medial_normal(const Triple& a, const Triple& p, const NearestPoint& f, s
 
 Vector3 nearest_normal(const Vector3& semiaxes, const Vector3& point) {
   const Triple a{semiaxes.x, semiaxes.y, semiaxes.z}, p{point.x, point.y, point.z};
-  const auto shortest =
-      static_cast<std::size_t>(std::min_element(a.begin(), a.end()) - a.begin());
+  const auto shortest = static_cast<std::size_t>(std::min_element(a.begin(), a.end()) - a.begin());
   const NearestPoint f(a, p, a[shortest]);
   const double low = f.lowest(), high = f.highest();
   if (!(low > 0.0) && (!(high > 0.0) || f(0.0).first >= 0.0))
     return medial_normal(a, p, f, shortest);
   const double t = find_root(low, high, low > 0.0 ? low : high, f);
-  return normalized(
-      Vector3{p[0] / (f.gap[0] + t), p[1] / (f.gap[1] + t), p[2] / (f.gap[2] + t)});
+  return normalized(Vector3{p[0] / (f.gap[0] + t), p[1] / (f.gap[1] + t), p[2] / (f.gap[2] + t)});
 }
 
 Shadow shadow_along(const EllipsoidShape& shape, const Vector3& direction) {

@@ -9,15 +9,15 @@
 
 namespace ellipsoid {
 
-/// Outward unit normal at the surface point nearest to `point`, inside or outside, both in principal
-/// axes. Unique but on the medial axis inside (there: the side of positive coordinates); each
-/// component has the sign of the point's. Exact at any depth.
+/// Outward unit normal at the surface point nearest to `point`, inside or outside, both in
+/// principal axes. Unique but on the medial axis inside (there: the side of positive coordinates);
+/// each component has the sign of the point's. Exact at any depth.
 /// @param[in] semiaxes > 0 (length)
 Vector3 nearest_normal(const Vector3& semiaxes, const Vector3& point);
 
 /// The shadow of an ellipsoid on a plane: an ellipse about the same centre.
 struct Shadow {
-  Vector3 major, minor; ///< unit, normal to the direction of projection
+  Vector3 major, minor;    ///< unit, normal to the direction of projection
   double a = 0.0, b = 0.0; ///< semi-axes, a >= b (length)
 };
 

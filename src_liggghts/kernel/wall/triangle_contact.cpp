@@ -22,9 +22,7 @@ bool is_on(const Triangle& t, const Vector3& normal, const Vector3& point, doubl
 }
 
 Vector3 divided(const Vector3& a, const Vector3& b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
-Vector3 multiplied(const Vector3& a, const Vector3& b) {
-  return {a.x * b.x, a.y * b.y, a.z * b.z};
-}
+Vector3 multiplied(const Vector3& a, const Vector3& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 
 /// Contact along a given normal at a point of the triangle.
 TriangleContact contact_at(TriangleFeature feature, const EllipsoidBody& body, const Vector3& foot,
@@ -58,7 +56,8 @@ TriangleContact contact_at(TriangleFeature feature, const SphereBody& body, cons
 /// Collects what edges and corners offer.
 class Boundary {
  public:
-  Boundary(const EllipsoidBody& body, const Triangle& triangle) : body_(body), triangle_(triangle) {}
+  Boundary(const EllipsoidBody& body, const Triangle& triangle)
+      : body_(body), triangle_(triangle) {}
 
   TriangleContact best() const {
     return minimum_.feature != TriangleFeature::none ? minimum_ : deepest_;
@@ -66,9 +65,9 @@ class Boundary {
 
   void add_corner(std::size_t k) {
     if (is_inside(triangle_[k]))
-      add(contact_at(TriangleFeature::corner, body_, triangle_[k],
-                     body_.axes.to_space(
-                         nearest_normal(body_.semiaxes, body_.axes.to_body(triangle_[k])))));
+      add(contact_at(
+          TriangleFeature::corner, body_, triangle_[k],
+          body_.axes.to_space(nearest_normal(body_.semiaxes, body_.axes.to_body(triangle_[k])))));
   }
 
   /// The edge from corner k on, ends not counted.
@@ -127,7 +126,8 @@ TriangleContacts find_triangle_contacts(const EllipsoidBody& body, const Triangl
     contacts.face.point = plane.point;
     contacts.face.overlap = plane.overlap;
     if (!contacts.face.deep)
-      return contacts; // the only minimum (Blaschke; see is_certainly_global in ellipsoid_contact.cpp)
+      return contacts; // the only minimum (Blaschke; see is_certainly_global in
+                       // ellipsoid_contact.cpp)
     contacts.face_is_missed = !reaches(body, t);
   }
   Boundary boundary(body, t);
@@ -164,16 +164,14 @@ TriangleContacts find_triangle_contacts(const SphereBody& body, const Triangle& 
   return contacts;
 }
 
-TriangleContact find_growing_contact(const EllipsoidBody& body, const Triangle& t,
-                                     double& growth) {
+TriangleContact find_growing_contact(const EllipsoidBody& body, const Triangle& t, double& growth) {
   Triangle scaled; // in these coordinates the body is the unit sphere
   for (std::size_t k = 0; k < 3; ++k)
     scaled[k] = divided(body.axes.to_body(t[k]), body.semiaxes);
   const Vector3 near = nearest_point(scaled, {});
   growth = norm(near);
-  const Vector3 normal = growth > 0.0
-                             ? normalized(body.axes.to_space(divided(near, body.semiaxes)))
-                             : unit_normal(t);
+  const Vector3 normal =
+      growth > 0.0 ? normalized(body.axes.to_space(divided(near, body.semiaxes))) : unit_normal(t);
   return contact_at(TriangleFeature::face, body,
                     body.axes.to_space(multiplied(near, body.semiaxes)), normal);
 }
@@ -226,8 +224,7 @@ Vector3 barycentric(const Triangle& t, const Vector3& p) {
           scale * dot(area, cross(t[1] - t[0], p - t[0]))};
 }
 
-bool crosses(const Triangle& t, const Vector3& from, const Vector3& to, double first,
-             double last) {
+bool crosses(const Triangle& t, const Vector3& from, const Vector3& to, double first, double last) {
   const Vector3 normal = unit_normal(t);
   const double before = dot(normal, from - t[0]), after = dot(normal, to - t[0]);
   if ((before > 0.0) == (after > 0.0))

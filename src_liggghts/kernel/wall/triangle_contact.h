@@ -5,8 +5,8 @@
 // All positions are relative to the particle's centre. Conventions: ellipsoid_contact.h; the normal
 // points from the body into the wall.
 //
-// With the body's support function s the overlap along n is phi(n) = s(n) - min over the triangle of
-// n.p (length), as for two ellipsoids. Its minimum is one of:
+// With the body's support function s the overlap along n is phi(n) = s(n) - min over the triangle
+// of n.p (length), as for two ellipsoids. Its minimum is one of:
 //  - face: n is the plane's normal, if the body's deepest point lies above the triangle; the result
 //    is then that of find_plane_contact();
 //  - edge: n is normal to the edge, and phi the depth of a point of the edge below the body's
@@ -14,8 +14,8 @@
 //    point of the shadow nearest to the edge;
 //  - corner: n is the normal at the surface point nearest to the corner.
 // Up to an overlap of the smallest radius of curvature there is one minimum only; of several the
-// smallest counts. Where a body slides over an edge, n turns steadily from the normal of one face to
-// that of the other and the overlap changes steadily.
+// smallest counts. Where a body slides over an edge, n turns steadily from the normal of one face
+// to that of the other and the overlap changes steadily.
 #pragma once
 
 #include "multisphere/multisphere_contact.h"
@@ -62,12 +62,13 @@ struct SphereBody {
   bool beyond_wall = false;
 };
 
-/// Minima of phi: at the face, and the smallest of those at edges and corners. The latter is left out
-/// where the former is certainly the only one.
+/// Minima of phi: at the face, and the smallest of those at edges and corners. The latter is left
+/// out where the former is certainly the only one.
 struct TriangleContacts {
   TriangleContact face, boundary;
-  /// The body reaches beyond the plane and its deepest point lies above the triangle, but it does not
-  /// reach the triangle itself: a contact only if it reaches the same plane on another triangle.
+  /// The body reaches beyond the plane and its deepest point lies above the triangle, but it does
+  /// not reach the triangle itself: a contact only if it reaches the same plane on another
+  /// triangle.
   bool face_is_missed = false;
   bool plane_is_reached = false;
 };
@@ -80,9 +81,9 @@ TriangleContacts find_triangle_contacts(const SphereBody& body, const Triangle& 
 template <class Body>
 TriangleContact find_triangle_contact(const Body& body, const Triangle& triangle) {
   const TriangleContacts c = find_triangle_contacts(body, triangle);
-  const bool boundary = c.boundary.feature != TriangleFeature::none &&
-                        (c.face.feature == TriangleFeature::none ||
-                         c.boundary.overlap < c.face.overlap);
+  const bool boundary =
+      c.boundary.feature != TriangleFeature::none &&
+      (c.face.feature == TriangleFeature::none || c.boundary.overlap < c.face.overlap);
   return boundary ? c.boundary : c.face_is_missed ? TriangleContact{} : c.face;
 }
 

@@ -11,7 +11,8 @@ namespace wall_tolerance {
 constexpr double search = 4.0e-16;
 
 /// Steps of that search. Newton's method takes about 6; bisection, which it falls back to, at most
-/// as many as the numbers have bits, for each of the exponents that a point near an axis runs through.
+/// as many as the numbers have bits, for each of the exponents that a point near an axis runs
+/// through.
 constexpr int search_limit = 200;
 
 /// A point so little outside a triangle (share of the body's size) counts as on it: neighbours that
@@ -30,13 +31,13 @@ constexpr double behind_plane = 1.0e-8;
 /// Contacts with points (share of the body's size) and normals (rad) closer than this are the same.
 constexpr double same_contact = 1.0e-5;
 
-/// A wall hides a contact point when it crosses the line of sight from the body's centre nearer than
-/// this share of the line short of the point: the triangles around the point end there, too.
+/// A wall hides a contact point when it crosses the line of sight from the body's centre nearer
+/// than this share of the line short of the point: the triangles around the point end there, too.
 constexpr double sight_end = 1.0e-4;
 
-/// A body that fits a hollow cylinder's curvature exactly would have an infinite reduced radius. The
-/// factor 1 - w/R of its relative curvature around the axis is kept above this: the reduced radius
-/// is at most 10 times that at a plane.
+/// A body that fits a hollow cylinder's curvature exactly would have an infinite reduced radius.
+/// The factor 1 - w/R of its relative curvature around the axis is kept above this: the reduced
+/// radius is at most 10 times that at a plane.
 constexpr double conformity = 0.01;
 
 } // namespace wall_tolerance
