@@ -86,7 +86,7 @@ function(ellipsoid_find_source result)
       ${ELLIPSOID_HOST_DIR}/download)
   elseif(NOT EXISTS ${source})
     message(FATAL_ERROR "LIGGGHTS_SOURCE='${source}' does not exist; "
-      "allowed: a folder or a tarball of LIGGGHTS-PUBLIC 3.8.0")
+      "allowed: a folder or a tarball of LIGGGHTS (src_liggghts/doc/hosts.md says which)")
   elseif(EXISTS ${source}/src/version_liggghts.txt)
     set(source ${source}/src)
   elseif(IS_DIRECTORY ${source} AND NOT EXISTS ${source}/version_liggghts.txt)
@@ -107,7 +107,7 @@ function(ellipsoid_make_pristine source)
     file(GLOB folder ${unpacked}/src ${unpacked}/*/src)
     if(NOT folder)
       message(FATAL_ERROR "'${source}' is no tarball of LIGGGHTS: it has no folder src/; "
-        "give LIGGGHTS-PUBLIC 3.8.0")
+        "give one of those in src_liggghts/doc/hosts.md")
     endif()
     list(GET folder 0 folder)
   endif()
@@ -180,7 +180,7 @@ endfunction()
 
 # Lets the host collect its styles: style_*.h. LIGGGHTS's version line carries the time of
 # the build; here it says what was built, so that nothing is compiled for a new time.
-function(ellipsoid_make_styles folder version)
+function(ellipsoid_make_styles folder remark)
   if(EXISTS ${folder}/version_liggghts.h)
     file(RENAME ${folder}/version_liggghts.h ${folder}/version_liggghts.kept)
   endif()
@@ -198,8 +198,9 @@ function(ellipsoid_make_styles folder version)
     file(RENAME ${folder}/version_liggghts.kept ${folder}/version_liggghts.h)
   endif()
   file(STRINGS ${folder}/version_liggghts_branch.txt branch LIMIT_COUNT 1)
+  file(STRINGS ${folder}/version_liggghts.txt version LIMIT_COUNT 1)
   file(CONFIGURE OUTPUT ${folder}/version_liggghts.h @ONLY
-    CONTENT "#define LIGGGHTS_VERSION \"${branch} ${version}\"\n")
+    CONTENT "#define LIGGGHTS_VERSION \"${branch} ${version}${remark}\"\n")
 endfunction()
 
 # Everything above, only as far as something changed since the last time.
@@ -230,8 +231,8 @@ function(ellipsoid_prepare_host own_headers whitelist)
 
   ellipsoid_link_files(${ELLIPSOID_HOST_DIR}/patched/src ${own_headers} ${whitelist})
   ellipsoid_make_styles(${ELLIPSOID_HOST_DIR}/patched/src
-    "3.8.0 with liggghts-ellipsoid ${PROJECT_VERSION}")
-  ellipsoid_make_styles(${ELLIPSOID_HOST_DIR}/stock/src "3.8.0, compile fixes only")
+    " with liggghts-ellipsoid ${PROJECT_VERSION}")
+  ellipsoid_make_styles(${ELLIPSOID_HOST_DIR}/stock/src ", compile fixes only")
 endfunction()
 
 # The .cpp files of the two trees, in three lists: `common` compile to the same object in both

@@ -38,3 +38,9 @@ mend_as_upstream() {
   sed -i -E 's|^( *)return static_cast< std::ostringstream.*|\1std::ostringstream ss;\n\1ss << std::dec << a;\n\1return ss.str();|' "$1/src/utils.h"
   sed -i -E 's|(numneigh) > 0\)|\1)|' "$1/src/finish.cpp"
 }
+
+# made_tree FOLDER BRANCH VERSION [VARIANT]: a small tree that the series fits
+made_tree() {
+  rm -rf "$1"
+  python3 "$ELLIPSOID_SOURCE/tests/patches/_made_tree.py" "$@"
+}

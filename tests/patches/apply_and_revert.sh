@@ -1,67 +1,115 @@
-# The series applies, reverts to the pristine tree, may be repeated, recognises what is in
-# already, and refuses what it is not made for without changing anything.
+# The series applies, reverts to the pristine tree, may be repeated, recognises what is in already,
+# and refuses what it is not made for without changing anything: on the host of this build, and on
+# small made trees that look like each of the known ones.
 source "$ELLIPSOID_SOURCE/tests/patches/_assert.sh"
 apply=(bash "$ELLIPSOID_SOURCE/patches/apply.sh")
-mapfile -t series < <(ls "$ELLIPSOID_SOURCE"/patches/*.patch)
+mapfile -t series < <(cd "$ELLIPSOID_SOURCE/patches" && ls | sed -nE 's/^([0-9]{4}[^.]*)\.patch$/\1/p')
 
 same() {
   diff -r "$1" "$2" || fail "$1 and $2 differ: $3"
 }
 
+# count STATE TREE: how many patches are in this state?
+count() {
+  "${apply[@]}" status "$2" | grep -c "^$1: " || true
+}
+
+# there_and_back TREE: apply, repeat, revert, repeat
+there_and_back() {
+  local missing
+  rm -rf before applied_once
+  cp -r "$1" before
+  missing=$(count missing "$1")
+  [[ $missing -gt 0 ]] || fail "nothing is to be applied to $1"
+  "${apply[@]}" apply "$1"
+  cp -r "$1" applied_once
+  [[ $(count applied "$1") -eq $missing ]] || fail "$(count applied "$1") of $missing are applied"
+  expect_output "already in" "${apply[@]}" apply "$1"
+  same applied_once "$1" "a second call changed something"
+  "${apply[@]}" revert "$1" >/dev/null
+  same before "$1" "revert does not give the tree back"
+  expect_output "not in: ${series[0]}" "${apply[@]}" revert "$1"
+  same before "$1" "a second revert changed something"
+}
+
+echo "-- the host of this build"
 fresh_tree tree
-if grep -q 'numneigh > 0' tree/src/finish.cpp; then
-  echo "-- apply, repeat, revert, repeat"
-  "${apply[@]}" apply tree
-  touched=$({ diff -rq "$pristine" tree || true; } | wc -l)
-  patched_files=$(cat "${series[@]}" | grep '^+++ ' | sort -u | wc -l)
-  [[ $touched -eq $patched_files ]] || fail "$touched files changed, the series has $patched_files"
-  cp -r tree applied_once
-  for _ in "${series[@]}"; do
-    expect_output "already in \(applied\): 0001" "${apply[@]}" apply tree
-  done
-  same applied_once tree "a second call changed something"
-  [[ $("${apply[@]}" status tree | grep -c '^applied: ') -eq ${#series[@]} ]] || fail "status"
-  "${apply[@]}" revert tree
-  same "$pristine" tree "revert does not give the pristine tree back"
-  expect_output "not in: 0001" "${apply[@]}" revert tree
-  same "$pristine" tree "a second revert changed something"
+there_and_back tree
+for kind in compile upstream feature; do
+  "${apply[@]}" apply tree $kind
+  "${apply[@]}" revert tree $kind >/dev/null
+  same before tree "patches of the kind $kind do not revert"
+done
 
-  echo "-- one patch is in already"
-  patch --quiet --fuzz=0 -p1 -d tree <"${series[1]}"
-  expect_output "already in \(applied\): 0002" "${apply[@]}" apply tree
-  same applied_once tree "applying the rest gives another tree"
+echo "-- made trees"
+made_tree debian LIGGGHTS-PUBLIC 3.8.0
+expect_output "^host: LIGGGHTS-PUBLIC 3.8.0 \(the release of 2017, as in Debian\)" "${apply[@]}" status debian
+[[ $(count missing debian) -eq ${#series[@]} ]] || fail "not all patches fit: $("${apply[@]}" status debian)"
+there_and_back debian
+touched=$({ diff -rq debian applied_once || true; } | wc -l)
+patched_files=$(cd "$ELLIPSOID_SOURCE/patches" && cat "${series[@]/%/.patch}" | grep '^+++ ' | sort -u | wc -l)
+[[ $touched -eq $patched_files ]] || fail "$touched files changed, the series has $patched_files"
+for variant in pici:LIGGGHTS-PUBLIC:3.8.0 inl:LIGGGHTS-INL:4.0.0; do
+  IFS=: read -r name branch version <<<"$variant"
+  made_tree "$name" "$branch" "$version" "$name"
+  expect_output "^missing: .*\.$name\.patch" "${apply[@]}" status "$name"
+  expect_output "^host: $branch $version " "${apply[@]}" check "$name"
+  there_and_back "$name"
+done
+touch pici/src/jkr_lookup_table.h
+expect_output "^host: .*PICI-LIGGGHTS" "${apply[@]}" check pici
 
-  echo "-- one kind only"
-  fresh_tree compiling
-  "${apply[@]}" apply compiling compile
-  "${apply[@]}" revert compiling
-  same "$pristine" compiling "compile fixes do not revert"
-fi
+echo "-- the three known forms of both compile fixes"
+for form in '    ss << std::dec << a;' '   return std::to_string(a);'; do
+  rm -rf mended && cp -r debian mended
+  FORM=$form perl -pi -e 's/^.*static_cast< std::ostringstream &.*$/$ENV{FORM}/' mended/src/utils.h
+  expect_output "^mended: 0001" "${apply[@]}" status mended
+  there_and_back mended
+done
+for form in 'numneigh' 'numneigh != nullptr' 'inum > 0'; do
+  rm -rf mended && cp -r debian mended
+  sed -i "s/numneigh > 0/$form/" mended/src/finish.cpp
+  expect_output "^mended: 0002" "${apply[@]}" status mended
+  there_and_back mended
+done
+rm -rf mended && cp -r debian mended
+sed -i 's/neighbor->lists\[m\]->numneigh > 0/*(neighbor->lists[m]->numneigh) > 0/' mended/src/finish.cpp
+expect_output "^missing: 0002.*\.pici\.patch" "${apply[@]}" status mended
+there_and_back mended
+sed -i 's/^.*static_cast< std::ostringstream &.*$/    return other(a);/' mended/src/utils.h
+expect_output "^needless: 0001" "${apply[@]}" status mended
+echo 'int_to_string' >>mended/src/utils.h
+expect_output "^conflict: 0001" "${apply[@]}" status mended
 
-echo "-- the two lines are mended as in the newest public tree"
-fresh_tree mended
-mend_as_upstream mended
-cp -r mended mended_before
-expect_output "already in \(mended\): 0001" "${apply[@]}" apply mended compile
-expect_output "mended: 0002" "${apply[@]}" status mended
-same mended_before mended "mended lines were touched"
-"${apply[@]}" revert mended
-same mended_before mended "revert touched lines that are not from a patch"
+echo "-- one patch is in already"
+rm -rf mended && cp -r debian mended
+patch --quiet --fuzz=0 -p1 -d mended <"$ELLIPSOID_SOURCE/patches/${series[1]}.patch"
+expect_output "already in \(applied\): 0002" "${apply[@]}" apply mended
+"${apply[@]}" apply debian >/dev/null
+same debian mended "applying the rest gives another tree"
+"${apply[@]}" revert debian >/dev/null
 
-echo "-- a tree in which a patch does not fit is refused and left alone"
-fresh_tree changed
-sed -i 's/numneigh > 0)/numneigh  > 0)/; s/numneigh)/numneigh  )/' changed/src/finish.cpp
+echo "-- a tree in which a patch does not fit, or fits at two places, is refused and left alone"
+rm -rf changed && cp -r debian changed
+sed -i 's/numneigh > 0)/numneigh  > 0)/' changed/src/finish.cpp
+cp -r changed changed_before
+expect_refusal "0002.* does not fit" "${apply[@]}" apply changed
+same changed_before changed "a refused series changed something"
+rm -rf changed changed_before && cp -r debian changed
+sed 's/^.*finish.*$//' debian/src/finish.cpp >>changed/src/finish.cpp
 cp -r changed changed_before
 expect_refusal "0002.* does not fit" "${apply[@]}" apply changed
 same changed_before changed "a refused series changed something"
 
 echo "-- wrong trees"
 expect_refusal "is no LIGGGHTS source tree" "${apply[@]}" apply "$ELLIPSOID_SOURCE"
-fresh_tree wrong
-echo 3.7.0 >wrong/src/version_liggghts.txt
-expect_refusal "version '3.7.0', expected 3.8.0" "${apply[@]}" apply wrong
-fresh_tree wrong
+made_tree wrong LIGGGHTS-PUBLIC 3.7.0
+expect_refusal "is LIGGGHTS-PUBLIC 3.7.0, which is not known; allowed: LIGGGHTS-PUBLIC 3.8.0, .*LIGGGHTS-INL 4.0.0" \
+  "${apply[@]}" apply wrong
+made_tree wrong LIGGGHTS-INL 3.8.0
+expect_refusal "is LIGGGHTS-INL 3.8.0, which is not known" "${apply[@]}" apply wrong
+made_tree wrong LIGGGHTS-PUBLIC 3.8.0
 rm wrong/src/pair_gran_proxy.h
 expect_refusal "lacks src/pair_gran_proxy.h" "${apply[@]}" apply wrong
-expect_refusal "unknown command 'undo'" "${apply[@]}" undo tree
+expect_refusal "unknown command 'undo'" "${apply[@]}" undo debian
 echo "passed"
