@@ -1,12 +1,10 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Which combination of contact models the pair loop hands to the kernel's ContactLawBatch as a
-// whole (law_batch.h), and the material tables that it takes: those of the host's properties. All
-// other combinations go through the host's contact models, contact by contact.
+// The material tables that the kernel's batch of the contact law takes: those of the host's
+// properties.
 #ifndef BATCHED_LAW_H
 #define BATCHED_LAW_H
 
-#include "contact_models.h"
 #include "law/law_batch.h"
 #include "property_registry.h"
 
@@ -15,14 +13,6 @@
 
 namespace LIGGGHTS {
 namespace ContactModels {
-
-/// hertz/viscous with history/viscous and nothing else: the paper's law.
-template <typename Model> struct IsPaperLaw { static constexpr bool value = false; };
-template <int Surface>
-struct IsPaperLaw<ContactModel<
-    GranStyle<HERTZ_VISCOUS, TANGENTIAL_HISTORY_VISCOUS, COHESION_OFF, ROLLING_OFF, Surface>>> {
-  static constexpr bool value = true;
-};
 
 /// Tables per pair of types.
 class PaperLawTables {

@@ -3,18 +3,22 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "contact_models.h"
+#include "contact_forces.h"
 #include "ellipsoid_host.h"
 #include "ellipsoid_models.h"
 #include "error.h"
 #include "force.h"
-#include "multisphere_contact_loop.h"
+#include "host_models.h"
+#include "multisphere_contacts.h"
 #include "neighbor.h"
+#include "pair_settings.h"
 #include "particle_check.h"
-#include "smooth_contact_loop.h"
+#include "smooth_contacts.h"
+#include "update.h"
 
 #include <map>
 #include <string>
+#include <utility>
 
 using namespace LAMMPS_NS;
 using namespace LIGGGHTS;
@@ -22,42 +26,20 @@ using namespace LIGGGHTS::ContactModels;
 
 namespace {
 
-using Creator = PairStyles::IGranularPairStyle* (*)(LAMMPS*, PairGranEllipsoid*, int64_t);
+using Creator = HostModels* (*)(LAMMPS*, IContactHistorySetup*, int64_t);
 
-template <template <typename> class Loop, typename Style>
-PairStyles::IGranularPairStyle* make_loop(LAMMPS* lmp, PairGranEllipsoid* pair, int64_t hash) {
-  return new Loop<ContactModel<Style>>(lmp, pair, hash);
+template <typename Style>
+HostModels* make_models(LAMMPS* lmp, IContactHistorySetup* setup, int64_t hash) {
+  return new HostModelsOf<ContactModel<Style>>(lmp, setup, hash);
 }
 
-/// Only combinations with a surface of ellipsoids have a loop of ellipsoids.
-template <int Normal, int Tangential, int Cohesion, int Rolling, int Surface> struct Registration {
-  static void add(std::map<int64_t, Creator>&) {}
-};
-
-template <int Normal, int Tangential, int Cohesion, int Rolling>
-struct Registration<Normal, Tangential, Cohesion, Rolling, SURFACE_SMOOTH> {
-  static void add(std::map<int64_t, Creator>& creators) {
-    using Style = GranStyle<Normal, Tangential, Cohesion, Rolling, SURFACE_SMOOTH>;
-    creators[int64_t{Style::HASHCODE}] = &make_loop<SmoothContactLoop, Style>;
+/// Only combinations with a surface of ellipsoids are needed.
+template <int Normal, int Tangential, int Cohesion, int Rolling, int Surface>
+void add_combination(std::map<int64_t, Creator>& creators) {
+  if constexpr (Surface == SURFACE_SMOOTH || Surface == SURFACE_MULTISPHERE) {
+    using Style = GranStyle<Normal, Tangential, Cohesion, Rolling, Surface>;
+    creators[int64_t{Style::HASHCODE}] = &make_models<Style>;
   }
-};
-
-template <int Normal, int Tangential, int Cohesion, int Rolling>
-struct Registration<Normal, Tangential, Cohesion, Rolling, SURFACE_MULTISPHERE> {
-  static void add(std::map<int64_t, Creator>& creators) {
-    using Style = GranStyle<Normal, Tangential, Cohesion, Rolling, SURFACE_MULTISPHERE>;
-    creators[int64_t{Style::HASHCODE}] = &make_loop<MultisphereContactLoop, Style>;
-  }
-};
-
-/// Any other combination runs by virtual dispatch.
-Creator virtual_dispatch(int64_t variant) {
-  const int surface = static_cast<int>((variant >> 24) & 63); // as the host packs its models
-  if (surface == SURFACE_SMOOTH)
-    return &make_loop<SmoothContactLoop, GranStyle<>>;
-  if (surface == SURFACE_MULTISPHERE)
-    return &make_loop<MultisphereContactLoop, GranStyle<>>;
-  return nullptr;
 }
 
 /// The combinations that the whitelist has compiled.
@@ -65,7 +47,7 @@ const std::map<int64_t, Creator>& compiled_combinations() {
   static const std::map<int64_t, Creator> table = [] {
     std::map<int64_t, Creator> creators;
 #define GRAN_MODEL(NORMAL, TANGENTIAL, COHESION, ROLLING, SURFACE)                                 \
-  Registration<NORMAL, TANGENTIAL, COHESION, ROLLING, SURFACE>::add(creators);
+  add_combination<NORMAL, TANGENTIAL, COHESION, ROLLING, SURFACE>(creators);
 #include "style_contact_model.h"
 #undef GRAN_MODEL
     return creators;
@@ -73,24 +55,57 @@ const std::map<int64_t, Creator>& compiled_combinations() {
   return table;
 }
 
+/// Null where the surface is not one of ellipsoids.
+SurfaceContacts* make_contacts(LAMMPS* lmp, PairGranEllipsoid& pair, int64_t variant) {
+  switch ((variant >> 24) & 63) { // as the host packs its models
+  case SURFACE_SMOOTH:
+    return new SmoothContacts(lmp, pair);
+  case SURFACE_MULTISPHERE:
+    return new MultisphereContacts(lmp, pair);
+  default:
+    return nullptr;
+  }
+}
+
 } // namespace
 
 PairGranEllipsoid::PairGranEllipsoid(LAMMPS* lmp) : PairGran(lmp) {}
 
-PairGranEllipsoid::~PairGranEllipsoid() { delete impl_; }
+PairGranEllipsoid::~PairGranEllipsoid() = default;
 
+/// The values that the search remembers come first in the history, those of the models follow.
 void PairGranEllipsoid::create(int64_t variant) {
-  delete impl_;
-  const auto found = compiled_combinations().find(variant);
-  const Creator creator =
-      found != compiled_combinations().end() ? found->second : virtual_dispatch(variant);
-  if (!creator)
+  contacts_.reset(make_contacts(lmp, *this, variant));
+  if (!contacts_)
     error->all(FLERR, "pair_style gran/ellipsoid needs 'surface smooth' or 'surface multisphere' "
                       "after the other models; add it");
-  impl_ = creator(lmp, this, variant);
-  const std::string complaint = unsuitable_model(*impl_);
+  const auto compiled = compiled_combinations().find(variant);
+  // any other combination runs by virtual dispatch
+  const Creator create_models =
+      compiled != compiled_combinations().end() ? compiled->second : &make_models<GranStyle<>>;
+  models_.reset(create_models(lmp, this, variant));
+  forces_ = std::make_unique<ContactForces>(lmp, *this, *models_);
+  const std::string complaint = unsuitable_model(*models_);
   if (!complaint.empty())
     error->all(FLERR, ("pair_style gran/ellipsoid: " + complaint).c_str());
+}
+
+int64_t PairGranEllipsoid::hashcode() { return models_->hashcode(); }
+
+double PairGranEllipsoid::stressStrainExponent() { return models_->stress_strain_exponent(); }
+
+bool PairGranEllipsoid::contact_match(const std::string type, const std::string model) {
+  return models_->contact_match(type, model);
+}
+
+int PairGranEllipsoid::history_offset(const std::string& name) const {
+  for (std::size_t k = 0; k < history_arg.size(); ++k)
+    if (history_arg[k].name == name)
+      return static_cast<int>(k);
+  error->all(FLERR, ("pair_style gran/ellipsoid: no contact model has the history value " + name +
+                     "; a batched law must name the one of its model")
+                        .c_str());
+  return -1;
 }
 
 void PairGranEllipsoid::repeat_history(int times) {
@@ -102,7 +117,7 @@ void PairGranEllipsoid::repeat_history(int times) {
 }
 
 void PairGranEllipsoid::settings(int narg, char** arg) {
-  if (impl_)
+  if (models_)
     error->all(FLERR, "pair_style gran/ellipsoid is given twice; give it once per run, or 'clear' "
                       "before the second");
   const int64_t variant = ContactModels::Factory::select(narg, arg, force->custom_contact_models);
@@ -114,7 +129,19 @@ void PairGranEllipsoid::settings(int narg, char** arg) {
   const std::string complaint = unsuitable_setting(narg, arg);
   if (!complaint.empty())
     error->all(FLERR, ("pair_style gran/ellipsoid: " + complaint).c_str());
-  impl_->settings(narg, arg, this);
+  const std::string problem = models_->read_settings(narg, arg, this);
+  if (!problem.empty())
+    error->all(FLERR, ("pair_style gran/ellipsoid: " + problem +
+                       "; give settings of the chosen models, each with its value")
+                          .c_str());
+  const PairSettings settings(narg, arg);
+  forces_->read_settings(settings);
+  contacts_->read_settings(settings);
+}
+
+void PairGranEllipsoid::init_granular() {
+  models_->connect(force->registry);
+  forces_->connect(force->registry);
 }
 
 void PairGranEllipsoid::init_style() {
@@ -149,6 +176,27 @@ void PairGranEllipsoid::check_pages() {
                         .c_str());
 }
 
+void PairGranEllipsoid::compute_force(int eflag, int vflag, int addflag) {
+  if (computeflag_)
+    begin_records(update->ntimestep);
+  if (eflag || vflag)
+    ev_setup(eflag, vflag);
+  else
+    evflag = vflag_fdotr = 0;
+  forces_->begin_step(addflag);
+  const ContactCounts counts = contacts_->compute(*forces_, computeflag_ && shearupdate_);
+  forces_->end_step();
+  if (!computeflag_)
+    return;
+  counts_ = counts;
+  warn_of_searches();
+}
+
+void PairGranEllipsoid::write_restart_settings(FILE* file) {
+  const int64_t hash = models_->hashcode();
+  fwrite(&hash, sizeof(hash), 1, file);
+}
+
 void PairGranEllipsoid::read_restart_settings(FILE* file, const int, const int) {
   int64_t variant = -1;
   if (comm->me == 0 && fread(&variant, sizeof(variant), 1, file) != 1)
@@ -157,11 +205,10 @@ void PairGranEllipsoid::read_restart_settings(FILE* file, const int, const int) 
   create(variant);
 }
 
-void PairGranEllipsoid::publish(const ContactCounts& counts) {
-  counts_ = counts;
-  if (counts.values[ContactCounts::not_converged] > 0.0 && !warned_) {
-    warned_ = true;
-    error->warning(FLERR, "pair_style gran/ellipsoid: a contact search did not converge; the best "
-                          "geometry found is used. 'compute contacts/ellipsoid' counts these");
-  }
+void PairGranEllipsoid::warn_of_searches() {
+  if (warned_ || counts_.values[ContactCounts::not_converged] == 0.0)
+    return;
+  warned_ = true;
+  error->warning(FLERR, "pair_style gran/ellipsoid: a contact search did not converge; the best "
+                        "geometry found is used. 'compute contacts/ellipsoid' counts these");
 }

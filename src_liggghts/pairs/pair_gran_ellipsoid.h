@@ -9,26 +9,22 @@ PairStyle(gran/ellipsoid,PairGranEllipsoid)
 #ifndef LMP_PAIR_GRAN_ELLIPSOID_H
 #define LMP_PAIR_GRAN_ELLIPSOID_H
 
+#include "contact_counts.h"
 #include "ellipsoid_contact_caller.h"
-#include "granular_pair_style.h"
 #include "pair_gran.h"
-#include "update.h"
+
+#include <memory>
+#include <string>
+
+namespace LIGGGHTS {
+class ContactForces;
+class SurfaceContacts;
+namespace ContactModels {
+class HostModels;
+}
+} // namespace LIGGGHTS
 
 namespace LAMMPS_NS {
-
-/// What the contact search did in the last time step, on this rank.
-struct ContactCounts {
-  enum Item {
-    touching_pairs,
-    contacts,
-    near_pairs,
-    tested,
-    newton_steps,
-    not_converged,
-    item_count
-  };
-  double values[item_count] = {};
-};
 
 class PairGranEllipsoid : public PairGran, public LIGGGHTS::ContactModels::EllipsoidContactCaller {
  public:
@@ -37,35 +33,33 @@ class PairGranEllipsoid : public PairGran, public LIGGGHTS::ContactModels::Ellip
 
   void settings(int narg, char** arg) override;
   void init_style() override;
-  void init_granular() override { impl_->init_granular(); }
-  void write_restart_settings(FILE* file) override { impl_->write_restart_settings(file); }
+  void init_granular() override;
+  void write_restart_settings(FILE* file) override;
   void read_restart_settings(FILE* file, const int major, const int minor) override;
-  double stressStrainExponent() override { return impl_->stressStrainExponent(); }
-  bool contact_match(const std::string type, const std::string model) override {
-    return impl_->contact_match(type, model);
-  }
-  int64_t hashcode() override { return impl_->hashcode(); }
+  double stressStrainExponent() override;
+  bool contact_match(const std::string type, const std::string model) override;
+  int64_t hashcode() override;
 
-  /// Owned pairs count once, pairs with a ghost half on each rank.
-  void publish(const ContactCounts& counts);
-  const ContactCounts& counts() const { return counts_; }
+  /// What the contact search did in the last time step, on this rank.
+  const LIGGGHTS::ContactCounts& counts() const { return counts_; }
   /// Gives the history registered so far `times` slots in all.
   void repeat_history(int times);
+  /// Where a value of the history of a contact begins.
+  int history_offset(const std::string& name) const;
 
  protected:
-  void compute_force(int eflag, int vflag, int addflag) override {
-    if (computeflag_)
-      begin_records(update->ntimestep);
-    impl_->compute_force(this, eflag, vflag, addflag);
-  }
+  void compute_force(int eflag, int vflag, int addflag) override;
 
  private:
-  LIGGGHTS::PairStyles::IGranularPairStyle* impl_ = nullptr;
-  ContactCounts counts_;
+  std::unique_ptr<LIGGGHTS::SurfaceContacts> contacts_;
+  std::unique_ptr<LIGGGHTS::ContactModels::HostModels> models_;
+  std::unique_ptr<LIGGGHTS::ContactForces> forces_;
+  LIGGGHTS::ContactCounts counts_;
   bool warned_ = false;
 
   void create(int64_t variant);
   void check_pages();
+  void warn_of_searches();
 };
 
 } // namespace LAMMPS_NS

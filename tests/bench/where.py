@@ -10,13 +10,13 @@ from scripts import SPHERE
 #: part of the work: what the names of its functions look like; the first match counts
 PARTS = (
     ("contact law", r"tangential_force|advance_spring|add_contact_force|TangentialModel|NormalModel|"
-                    r"surfacesIntersectNonSpherical|\blaw_|ContactLawBatch|apply_waiting_contacts"),
+                    r"surfacesIntersectNonSpherical|\blaw_|ContactLawBatch|ContactForces|HostModelsOf"),
     ("contact geometry", r"ellipsoid::(?!.*(?:rotat|turn|angular|inertia|Rotation))|SurfaceMotions|"
                          r"EllipsoidShapes|"
                          r"MathExtraLiggghtsNonspherical|SurfaceModel<|MultisphereParticles|"
                          r"update_shapes|\bSuperquadric::"),
     ("walls", r"[Ww]all|Primitive"),
-    ("pair loop and inlined law", r"ContactLoop|PairStyles::Granular|PairGran|compute_force"),
+    ("pair loop", r"SmoothContacts|MultisphereContacts|NeighbourPairs|PairStyles::Granular|PairGran|compute_force"),
     ("pair search", r"[Nn]eigh|FixContactHistory|pbc"),
     ("integration", r"FixNVE|FixMultisphere|[Mm]ultisphere|FixGravity|ellipsoid::"),
     ("communication", r"Comm\w*::|pack_|unpack_|MPI|AtomVec|mca_|opal_|ompi_"),

@@ -14,7 +14,7 @@ using namespace ellipsoid;
 namespace {
 
 struct Contact {
-  ContactPlace place;
+  ContactFrame frame;
   PairMotion motion;
   LawParameters parameters;
   PairMasses masses;
@@ -29,14 +29,14 @@ class RandomContacts {
   Contact next() {
     Contact c;
     const Vector3 normal = normalized(vector(1.0));
-    c.place = {normal, vector(2e-3), vector(2e-3), positive(1e-6), positive(2e-3)};
+    c.frame = {normal, vector(2e-3), vector(2e-3), positive(1e-6), positive(2e-3), 1e-3, 1e-3};
     c.motion = {vector(0.05), spin(), spin()};
     c.parameters = {positive(2e8), positive(1e8), positive(1e3), positive(1e3), positive(1.0)};
     c.masses = {positive(1e-6), positive(1e-6)};
     const double kind = positive(1.0);
     c.spring = kind < 0.2 ? Vector3{} : kind < 0.4 ? positive(1e-7) * normal : vector(1e-7);
     if (kind > 0.9)
-      c.place.overlap = 0.0;
+      c.frame.overlap = 0.0;
     return c;
   }
 
@@ -55,7 +55,7 @@ class RandomContacts {
 
 /// Contact by contact, by the functions of contact_law.h.
 ContactAction single(const Contact& c, const LawPass& pass, Vector3& spring, bool& slips) {
-  const ContactPlace& at = c.place;
+  const ContactFrame& at = c.frame;
   const Vector3 velocity = c.motion.velocity + (cross(c.motion.omega_i, at.lever_i) -
                                                 cross(c.motion.omega_j, at.lever_j));
   const double normal_velocity = dot(velocity, at.normal);
@@ -101,7 +101,8 @@ TEST_P(LawBatchTest, GivesTheBitsOfSingleContacts) {
       for (int k = 0; k < count; ++k) {
         contacts.push_back(random.next());
         const Contact& c = contacts.back();
-        batch.add(c.place, c.motion, c.parameters, c.masses, c.spring);
+        batch.add(c.frame);
+        batch.set_state(k, c.motion, c.parameters, c.masses, c.spring);
       }
       batch.solve(pass);
       for (int k = 0; k < count; ++k) {
@@ -127,11 +128,12 @@ TEST(ContactLawBatch, ActionIsReaction) {
   std::vector<Contact> contacts;
   for (int k = 0; k < ContactLawBatch::capacity; ++k) {
     const Contact c = random.next();
-    forth.add(c.place, c.motion, c.parameters, c.masses, c.spring);
-    back.add({-c.place.normal, c.place.lever_j, c.place.lever_i, c.place.overlap,
-              c.place.reduced_radius},
-             {-c.motion.velocity, c.motion.omega_j, c.motion.omega_i}, c.parameters,
-             {c.masses.j, c.masses.i}, -c.spring);
+    forth.add(c.frame);
+    forth.set_state(k, c.motion, c.parameters, c.masses, c.spring);
+    back.add({-c.frame.normal, c.frame.lever_j, c.frame.lever_i, c.frame.overlap,
+              c.frame.reduced_radius, c.frame.radius_j, c.frame.radius_i});
+    back.set_state(k, {-c.motion.velocity, c.motion.omega_j, c.motion.omega_i}, c.parameters,
+                   {c.masses.j, c.masses.i}, -c.spring);
   }
   const LawPass pass{5e-6, true, false};
   forth.solve(pass);

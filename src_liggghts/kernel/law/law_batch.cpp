@@ -108,17 +108,17 @@ inline void law_loop(Columns& c, int size) {
 
 ELLIPSOID_VECTOR_VERSIONS(law, Columns)
 
-struct Places {
+struct Frames {
   const ContactBatch::Columns& from;
   Columns& to;
 };
 
 /// Normals of the law point from j to i.
-inline void take_loop(Places& places, int size) {
+inline void copy_loop(Frames& frames, int size) {
   using From = ContactBatch::Columns;
-  const auto& out = places.from.out;
-  const auto& in = places.from.in;
-  auto& to = places.to.in;
+  const auto& out = frames.from.out;
+  const auto& in = frames.from.in;
+  auto& to = frames.to.in;
 #pragma GCC ivdep
   for (int k = 0; k < size; ++k) {
     for (int l = 0; l < 3; ++l) {
@@ -129,17 +129,19 @@ inline void take_loop(Places& places, int size) {
     const double overlap = out[From::overlap][k];
     to[C::overlap][k] = overlap > 0.0 ? overlap : 0.0;
     to[C::radius][k] = out[From::reduced_radius][k];
+    to[C::radius_i][k] = out[From::radius_i][k];
+    to[C::radius_j][k] = out[From::radius_j][k];
   }
 }
 
-ELLIPSOID_VECTOR_VERSIONS(take, Places)
+ELLIPSOID_VECTOR_VERSIONS(copy, Frames)
 
 } // namespace
 
-void ContactLawBatch::take_places(const ContactBatch& pairs) {
+void ContactLawBatch::set_frames(const ContactBatch& pairs) {
   resize(pairs.size());
-  Places places{pairs.columns(), columns_};
-  take(places, size());
+  Frames frames{pairs.columns(), columns_};
+  copy(frames, size());
 }
 
 void ContactLawBatch::solve(const LawPass& pass) {

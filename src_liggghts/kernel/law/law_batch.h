@@ -12,12 +12,13 @@
 
 namespace ellipsoid {
 
-/// Where two bodies touch.
-struct ContactPlace {
-  Vector3 normal;           ///< unit, from j to i
-  Vector3 lever_i, lever_j; ///< contact point relative to the centres of i and j (length)
-  double overlap;           ///< h >= 0 (length)
-  double reduced_radius;    ///< R of (19), (20) (length)
+/// Where two bodies touch, seen from both centres.
+struct ContactFrame {
+  Vector3 normal;            ///< unit, from j to i
+  Vector3 lever_i, lever_j;  ///< contact point relative to the centres of i and j (length)
+  double overlap;            ///< h >= 0 (length)
+  double reduced_radius;     ///< R of (19), (20) (length)
+  double radius_i, radius_j; ///< Gaussian radii of curvature (length)
 };
 
 /// How the two bodies move.
@@ -59,22 +60,20 @@ struct LawPass {
 
 class ContactLawBatch : public Batch {
  public:
+  void add(const ContactFrame& frame);
+  /// Instead of add(): as many contacts as the batch has pairs, where it found them.
+  void set_frames(const ContactBatch& pairs);
+  /// Of contact k, which without it means nothing.
   /// @param[in] spring accumulated tangential displacement of the last step (length)
-  void add(const ContactPlace& place, const PairMotion& motion, const LawParameters& parameters,
-           const PairMasses& masses, const Vector3& spring);
-
-  /// Instead of add(): as many contacts as the batch has pairs, at the places that it found. Each
-  /// of them then needs move(); what becomes of a pair that is apart means nothing.
-  void take_places(const ContactBatch& pairs);
-  void move(int k, const PairMotion& motion, const LawParameters& parameters,
-            const PairMasses& masses, const Vector3& spring);
+  void set_state(int k, const PairMotion& motion, const LawParameters& parameters,
+                 const PairMasses& masses, const Vector3& spring);
 
   void solve(const LawPass& pass);
 
   /// Whether all forces, after solve(), lie along x and y and all torques along z.
   bool are_in_plane() const { return columns_.are_in_plane; }
   /// As it was added.
-  ContactPlace place(int k) const;
+  ContactFrame frame(int k) const;
   /// Of contact k, after solve().
   ContactAction action(int k) const;
   /// Its spring, grown by (18) and shortened to what friction bears (length).
@@ -94,6 +93,8 @@ class ContactLawBatch : public Batch {
       ljz,
       overlap,
       radius,
+      radius_i,
+      radius_j,
       vx,
       vy,
       vz,
@@ -143,22 +144,22 @@ class ContactLawBatch : public Batch {
 
 // Inline, and number by number, as in contact_batch.h.
 
-inline void ContactLawBatch::add(const ContactPlace& place, const PairMotion& motion,
-                                 const LawParameters& parameters, const PairMasses& masses,
-                                 const Vector3& spring) {
+inline void ContactLawBatch::add(const ContactFrame& frame) {
   using C = Columns;
   const int k = next();
   const InSpace at{k};
-  at.put(columns_.in, C::nx, place.normal);
-  at.put(columns_.in, C::lix, place.lever_i);
-  at.put(columns_.in, C::ljx, place.lever_j);
-  columns_.in[C::overlap][k] = place.overlap;
-  columns_.in[C::radius][k] = place.reduced_radius;
-  move(k, motion, parameters, masses, spring);
+  at.put(columns_.in, C::nx, frame.normal);
+  at.put(columns_.in, C::lix, frame.lever_i);
+  at.put(columns_.in, C::ljx, frame.lever_j);
+  columns_.in[C::overlap][k] = frame.overlap;
+  columns_.in[C::radius][k] = frame.reduced_radius;
+  columns_.in[C::radius_i][k] = frame.radius_i;
+  columns_.in[C::radius_j][k] = frame.radius_j;
 }
 
-inline void ContactLawBatch::move(int k, const PairMotion& motion, const LawParameters& parameters,
-                                  const PairMasses& masses, const Vector3& spring) {
+inline void ContactLawBatch::set_state(int k, const PairMotion& motion,
+                                       const LawParameters& parameters, const PairMasses& masses,
+                                       const Vector3& spring) {
   using C = Columns;
   const InSpace at{k};
   at.put(columns_.in, C::vx, motion.velocity);
@@ -174,10 +175,12 @@ inline void ContactLawBatch::move(int k, const PairMotion& motion, const LawPara
   at.put(columns_.in, C::sx, spring);
 }
 
-inline ContactPlace ContactLawBatch::place(int k) const {
+inline ContactFrame ContactLawBatch::frame(int k) const {
   using C = Columns;
-  const auto in = [this, k](int first) { return InSpace{k}.vector(columns_.in, first); };
-  return {in(C::nx), in(C::lix), in(C::ljx), columns_.in[C::overlap][k], columns_.in[C::radius][k]};
+  const auto vector = [this, k](int first) { return InSpace{k}.vector(columns_.in, first); };
+  const auto in = [this, k](int column) { return columns_.in[column][k]; };
+  return {vector(C::nx), vector(C::lix),  vector(C::ljx), in(C::overlap),
+          in(C::radius), in(C::radius_i), in(C::radius_j)};
 }
 
 inline ContactAction ContactLawBatch::action(int k) const {

@@ -1,0 +1,24 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#ifndef CONTACT_COUNTS_H_
+#define CONTACT_COUNTS_H_
+
+namespace LIGGGHTS {
+
+/// What the contact search did in a time step, on this rank: pairs of owned particles count once,
+/// pairs with a ghost half on each of the two ranks that have it.
+struct ContactCounts {
+  enum Item {
+    touching_pairs,
+    contacts,
+    near_pairs,
+    tested,
+    newton_steps,
+    not_converged,
+    item_count
+  };
+  double values[item_count] = {};
+};
+
+} // namespace LIGGGHTS
+
+#endif

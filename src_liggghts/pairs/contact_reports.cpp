@@ -1,0 +1,76 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "contact_reports.h"
+
+#include "atom.h"
+#include "fix_contact_property_atom.h"
+#include "force.h"
+#include "pair_gran_ellipsoid.h"
+#include "update.h"
+#include "vector_liggghts.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+using namespace LIGGGHTS;
+using ContactModels::ForceData;
+using ContactModels::SurfacesIntersectData;
+
+void ContactReports::begin_step(bool for_list) {
+  for_list_ = pair_.cpl() && for_list;
+  are_wanted_ = for_list_ || pair_.evflag || pair_.store_sum_normal_force() ||
+                pair_.storeContactForces() || pair_.storeContactForcesStress();
+}
+
+void ContactReports::end_step() {
+  if (for_list_)
+    pair_.cpl_pair_finalize();
+  if (pair_.storeContactForces())
+    pair_.fix_contact_forces()->do_forward_comm();
+  if (pair_.storeContactForcesStress())
+    pair_.fix_contact_forces_stress()->do_forward_comm();
+}
+
+void ContactReports::add(SurfacesIntersectData contact, const ForceData& force_i,
+                         const ForceData& force_j, bool owns_j) {
+  const int i = contact.i, j = contact.j;
+  const double* f = force_i.delta_F;
+  if (contact.computeflag && pair_.store_sum_normal_force()) {
+    const double normal_force = vectorDot3D(f, contact.en);
+    *pair_.get_sum_normal_force_ptr(i) += normal_force;
+    if (owns_j)
+      *pair_.get_sum_normal_force_ptr(j) += normal_force;
+  }
+  if (for_list_) {
+    ForceData same = force_i; // the host's signature
+    pair_.cpl_add_pair(contact, same);
+  }
+  if (pair_.evflag)
+    pair_.ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, 0.0, 0.0, f[0], f[1], f[2],
+                       contact.delta[0], contact.delta[1], contact.delta[2]);
+  if (pair_.storeContactForces() && 0 == update->ntimestep % pair_.storeContactForcesEvery()) {
+    store_partner(pair_.fix_contact_forces(), i, j, force_i);
+    store_partner(pair_.fix_contact_forces(), j, i, force_j);
+  }
+  if (pair_.storeContactForcesStress()) {
+    store_stress_partner(i, j, force_i);
+    store_stress_partner(j, i, force_j);
+  }
+}
+
+void ContactReports::store_partner(FixContactPropertyAtom* fix, int i, int j,
+                                   const ForceData& force) {
+  if (fix->has_partner(i, atom->tag[j]) != -1)
+    return;
+  double values[6];
+  std::copy(force.delta_F, force.delta_F + 3, values);
+  std::copy(force.delta_torque, force.delta_torque + 3, values + 3);
+  fix->add_partner(i, atom->tag[j], values);
+}
+
+void ContactReports::store_stress_partner(int i, int j, const ForceData& force) {
+  FixContactPropertyAtom* fix = pair_.fix_contact_forces_stress();
+  if (fix->has_partner(i, atom->tag[j]) != -1)
+    return;
+  double values[4] = {force.delta_F[0], force.delta_F[1], force.delta_F[2], static_cast<double>(j)};
+  fix->add_partner(i, atom->tag[j], values);
+}

@@ -1,0 +1,207 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "multisphere_contacts.h"
+
+#include "atom.h"
+#include "contact_model_constants.h"
+#include "ellipsoid_host.h"
+#include "error.h"
+#include "pair_gran_ellipsoid.h"
+#include "pair_settings.h"
+#include "strict_settings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace LIGGGHTS {
+
+using namespace LAMMPS_NS;
+using ellipsoid::Vector3;
+using ellipsoid_host::vector;
+
+MultisphereContacts::MultisphereContacts(LAMMPS* lmp, PairGranEllipsoid& pair)
+    : Pointers(lmp), pair_(pair), chains_(lmp) {
+  pair_.add_history_value("spheres", "0");
+  pair_.add_history_value("sphere_difference", "1");
+}
+
+void MultisphereContacts::read_settings(const PairSettings& settings) {
+  slot_values_ = pair_.dnum_pair();
+  slots_ = settings.number("contacts", ContactModels::ContactsSetting::standard);
+  rule_ = settings.value("multicontact", "sum") == "average" ? ellipsoid::MulticontactRule::average
+                                                             : ellipsoid::MulticontactRule::sum;
+  pair_.repeat_history(slots_);
+}
+
+ContactCounts MultisphereContacts::compute(ContactForces& forces, bool is_time_step) {
+  counts_ = ContactCounts();
+  particles_ = ParticleArrays(*atom);
+  pairs_.begin_step(pair_.list, pair_.listgranhistory, pair_.dnum());
+  if (!is_time_step)
+    clocks().forget();
+  if (chains_.update()) {
+    begin_lists();
+    pairs_.for_each([this, &forces](std::uint32_t index, int i, int j) {
+      NearPair pair = pairs_.pair(index, i, j);
+      if (update_contacts(pair, forces))
+        pairs_.activate(pair);
+    });
+  } else {
+    pairs_.end_due_deferrals(
+        clocks(),
+        [this](std::uint32_t index, int i, int j) { pairs_.activate(pairs_.pair(index, i, j)); },
+        [] {});
+    const auto prefetch = [this](const NearPair& pair) {
+      __builtin_prefetch(pair.flag, 1);
+      pairs_.prefetch_history(pair);
+      __builtin_prefetch(&chains_.pose(pair.j));
+      __builtin_prefetch(particles_.x[pair.j]);
+      __builtin_prefetch(particles_.v[pair.j]);
+      __builtin_prefetch(particles_.omega[pair.j]);
+    };
+    pairs_.for_each_active(
+        prefetch, [this, &forces](NearPair& pair) { return update_contacts(pair, forces); });
+  }
+  forces.apply_added();
+  counts_.values[ContactCounts::near_pairs] = near_pairs_;
+  return counts_;
+}
+
+void MultisphereContacts::begin_lists() {
+  pairs_.restart(static_cast<std::size_t>(atom->nlocal + atom->nghost));
+  near_pairs_ = 0.0;
+  pairs_.for_each([this](std::uint32_t, int, int j) { near_pairs_ += share(j); });
+  watch_.restart(pairs_.size());
+}
+
+/// @return whether there are spheres to test in the next step; the next check is deferred if not
+bool MultisphereContacts::update_contacts(NearPair& pair, ContactForces& forces) {
+  const Vector3 distance = vector(particles_.x[pair.j]) - vector(particles_.x[pair.i]);
+  if (watch_.is_due(pair.index, clocks().time(pair.i), clocks().time(pair.j)) &&
+      !search(pair, distance, forces))
+    return false;
+  find_touching(pair, distance);
+  update_slots(pair, forces);
+  pair.touched = found_ > 0;
+  if (found_ > 0)
+    add_contacts(pair, distance, forces);
+  return true;
+}
+
+/// Finds the spheres that have to be tested in the next steps.
+/// @return whether there are any
+bool MultisphereContacts::search(const NearPair& pair, const Vector3& distance,
+                                 ContactForces& forces) {
+  const int i = pair.i, j = pair.j;
+  const double approach = clocks().approach(i, j);
+  const ellipsoid::ContactWatch::Search result = watch_.search(
+      pair.index, chains_.pose(i), chains_.pose(j), distance, search_gap(i, j, approach));
+  counts_.values[ContactCounts::tested] += share(j) * result.tested;
+  if (*pair.flag)
+    recall_slots(pair, forces);
+  if (watch_.is_empty(pair.index)) {
+    *pair.flag = 0;
+    pairs_.defer(pair.index, i, result.gap, approach, clocks());
+    return false;
+  }
+  watch_.set_deadlines(pair.index, clocks().deadlines(i, j, result.gap, approach));
+  return true;
+}
+
+double MultisphereContacts::search_gap(int i, int j, double approach) {
+  const double radii = atom->shape[i][1] + atom->shape[j][1];
+  const int spheres = std::max(chains_.pose(i).chain->count(), chains_.pose(j).chain->count());
+  const double steps = std::min(look_ahead, look_ahead_of_chain / spheres);
+  return std::clamp(clocks().gap_for(steps, i, j, approach), smallest_gap_share * radii,
+                    largest_gap_share * radii);
+}
+
+void MultisphereContacts::find_touching(const NearPair& pair, const Vector3& distance) {
+  const auto tested = static_cast<std::size_t>(watch_.end(pair.index) - watch_.begin(pair.index));
+  if (touching_.size() < tested)
+    touching_.resize(2 * tested);
+  found_ = watch_.find_touching(pair.index, chains_.pose(pair.i), chains_.pose(pair.j), distance,
+                                touching_.data());
+  counts_.values[ContactCounts::tested] += share(pair.j) * static_cast<double>(tested);
+}
+
+void MultisphereContacts::add_contacts(const NearPair& pair, const Vector3& distance,
+                                       ContactForces& forces) {
+  counts_.values[ContactCounts::touching_pairs] += share(pair.j);
+  counts_.values[ContactCounts::contacts] += share(pair.j) * found_;
+  *pair.flag = ContactModels::CONTACT_SURFACE_MODEL;
+  const double weight = multicontact_weight(rule_, found_);
+  for (int k = 0; k < found_; ++k) {
+    const ellipsoid::ContactWatch::Touching& touching = touching_[static_cast<std::size_t>(k)];
+    const ellipsoid::SphereContact& c = touching.contact;
+    forces.add({pair.i, pair.j, pair.flag, &pair.history[slot_values_ * touching.spheres->slot],
+                weight, c.sphere_i, c.sphere_j},
+               {-c.normal, c.point, c.point - distance, std::max(0.0, c.overlap), c.reduced_radius,
+                c.radius_i, c.radius_j});
+  }
+}
+
+/// After a search: which of its spheres have a slot from before. Contacts of other spheres are
+/// over.
+void MultisphereContacts::recall_slots(const NearPair& pair, ContactForces& forces) {
+  SpherePair *begin = watch_.begin(pair.index), *end = watch_.end(pair.index);
+  for (int s = 0; s < slots_; ++s) {
+    double* slot = &pair.history[slot_values_ * s];
+    if (slot[key_sum] == 0.0)
+      continue;
+    SpherePair* found = std::find_if(begin, end, [slot](const SpherePair& candidate) {
+      return slot[key_sum] == candidate.sphere_i + candidate.sphere_j + 1 &&
+             slot[key_difference] == candidate.sphere_i - candidate.sphere_j;
+    });
+    if (found != end)
+      found->slot = static_cast<short>(s);
+    else
+      close_slot(pair, slot, forces);
+  }
+}
+
+/// Known contacts keep their slots, contacts that ended leave theirs, new ones get free slots.
+void MultisphereContacts::update_slots(const NearPair& pair, ContactForces& forces) {
+  const auto *touching = touching_.data(), *last = touching + found_;
+  for (SpherePair *s = watch_.begin(pair.index), *end = watch_.end(pair.index); s != end; ++s) {
+    if (touching != last && touching->spheres == s) {
+      ++touching;
+    } else if (s->slot >= 0) {
+      close_slot(pair, &pair.history[slot_values_ * s->slot], forces);
+      s->slot = -1;
+    }
+  }
+  *pair.flag = 0;
+  int free_slot = 0;
+  for (touching = touching_.data(); touching != last; ++touching) {
+    SpherePair* s = touching->spheres;
+    if (s->slot >= 0)
+      continue;
+    while (free_slot < slots_ && pair.history[slot_values_ * free_slot + key_sum] != 0.0)
+      ++free_slot;
+    if (free_slot == slots_)
+      complain_of_slots(pair);
+    s->slot = static_cast<short>(free_slot);
+    double* slot = &pair.history[slot_values_ * free_slot];
+    slot[key_sum] = s->sphere_i + s->sphere_j + 1;
+    slot[key_difference] = s->sphere_i - s->sphere_j;
+  }
+}
+
+void MultisphereContacts::close_slot(const NearPair& pair, double* slot,
+                                     ContactForces& forces) const {
+  forces.close(pair.i, pair.j, pair.flag, slot);
+  std::fill_n(slot, slot_values_, 0.0);
+}
+
+void MultisphereContacts::complain_of_slots(const NearPair& pair) const {
+  error->one(FLERR,
+             ("pair_style gran/ellipsoid: atoms " + std::to_string(atom->tag[pair.i]) + " and " +
+              std::to_string(atom->tag[pair.j]) + " touch at " + std::to_string(found_) +
+              " places, setting 'contacts' allows " + std::to_string(slots_) + "; raise it")
+                 .c_str());
+  std::abort(); // not reached: the call above ends the program
+}
+
+} // namespace LIGGGHTS

@@ -1,0 +1,69 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Contacts of multi-sphere ellipsoids: every touching pair of sub-spheres is a contact of its own
+// (Markauskas et al. 2010, section 3.4).
+//
+// The history of a pair is a row of equal slots, one per contact. A slot starts with its key: the
+// sum of the two sphere numbers + 1 (0: free) and their difference, which changes sign when the
+// pair is seen from j; the values of the contact models follow.
+#ifndef MULTISPHERE_CONTACTS_H_
+#define MULTISPHERE_CONTACTS_H_
+
+#include "contact_forces.h"
+#include "multisphere/multisphere_watch.h"
+#include "multisphere_particles.h"
+#include "neighbour_pairs.h"
+#include "particle_arrays.h"
+#include "surface_contacts.h"
+
+#include <vector>
+
+namespace LIGGGHTS {
+
+class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
+ public:
+  MultisphereContacts(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::PairGranEllipsoid& pair);
+  void read_settings(const PairSettings& settings) override;
+  ContactCounts compute(ContactForces& forces, bool is_time_step) override;
+
+ private:
+  enum { key_sum, key_difference }; // offsets in a slot
+  using SpherePair = ellipsoid::ContactWatch::SpherePair;
+
+  /// A search finds the spheres that may touch within so many time steps if motions change as
+  /// usual; within fewer steps for fine chains, where a gap has the more spheres the wider it is.
+  /// It is no nearer nor farther than these shares of both radii of the bodies' middles.
+  static constexpr double look_ahead = 50.0, look_ahead_of_chain = 500.0;
+  static constexpr double smallest_gap_share = 1e-3, largest_gap_share = 0.1;
+
+  LAMMPS_NS::PairGranEllipsoid& pair_;
+  ParticleArrays particles_;
+  ellipsoid_host::MultisphereParticles chains_;
+  NeighbourPairs pairs_;
+  double near_pairs_ = 0.0;
+  ContactCounts counts_;
+  ellipsoid::ContactWatch watch_;
+  std::vector<ellipsoid::ContactWatch::Touching> touching_; // room for all spheres of a pair
+  int found_ = 0;                                           // touching spheres of the pair at hand
+  int slot_values_ = 0, slots_ = 0;
+  ellipsoid::MulticontactRule rule_ = ellipsoid::MulticontactRule::sum;
+
+  void begin_lists();
+  bool update_contacts(NearPair& pair, ContactForces& forces);
+  bool search(const NearPair& pair, const ellipsoid::Vector3& distance, ContactForces& forces);
+  double search_gap(int i, int j, double approach);
+  void find_touching(const NearPair& pair, const ellipsoid::Vector3& distance);
+  void recall_slots(const NearPair& pair, ContactForces& forces);
+  void update_slots(const NearPair& pair, ContactForces& forces);
+  void close_slot(const NearPair& pair, double* slot, ContactForces& forces) const;
+  void add_contacts(const NearPair& pair, const ellipsoid::Vector3& distance,
+                    ContactForces& forces);
+  [[noreturn]] void complain_of_slots(const NearPair& pair) const;
+
+  ellipsoid::MotionClocks& clocks() { return chains_.clocks(); }
+  double share(int j) const { return j < particles_.owned ? 1.0 : 0.5; }
+};
+
+} // namespace LIGGGHTS
+
+#endif

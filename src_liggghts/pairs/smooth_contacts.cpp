@@ -1,0 +1,274 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "smooth_contacts.h"
+
+#include "atom.h"
+#include "contact_model_constants.h"
+#include "ellipsoid_host.h"
+#include "neighbor.h"
+#include "pair_gran_ellipsoid.h"
+#include "update.h"
+
+#include <cmath>
+
+namespace LIGGGHTS {
+
+using namespace LAMMPS_NS;
+using ellipsoid::Vector3;
+using ellipsoid_host::store;
+using ellipsoid_host::vector;
+
+SmoothContacts::SmoothContacts(LAMMPS* lmp, PairGranEllipsoid& pair) : Pointers(lmp), pair_(pair) {
+  for (const char* component : {"normalx", "normaly", "normalz"})
+    pair_.add_history_value(component, "1");
+  pair_.add_history_value("touching", "0");
+  for (Contact& contact : in_search_) {
+    contact.weight = 1.0;
+    contact.sphere_i = contact.sphere_j = -1;
+  }
+}
+
+ContactCounts SmoothContacts::compute(ContactForces& forces, bool is_time_step) {
+  counts_ = ContactCounts();
+  particles_ = ParticleArrays(*atom);
+  is_time_step_ = is_time_step;
+  pairs_.begin_step(pair_.list, pair_.listgranhistory, pair_.dnum());
+  if (!is_time_step)
+    motions_.clocks().forget();
+  const bool new_lists = motions_.update(*atom, update->dt, neighbor->ago == 0);
+  shapes_.begin_step(*atom, new_lists);
+  flags_are_set_ = !new_lists;
+  if (new_lists) {
+    begin_lists();
+    check_new_pairs();
+  } else {
+    check_due_pairs();
+  }
+  search_active_pairs(forces);
+  counts_.values[ContactCounts::near_pairs] = near_pairs_;
+  return counts_;
+}
+
+void SmoothContacts::begin_lists() {
+  pairs_.restart(static_cast<std::size_t>(atom->nlocal + atom->nghost));
+  near_pairs_ = 0.0;
+  pairs_.for_each([this](std::uint32_t, int, int j) { near_pairs_ += share(j); });
+}
+
+Vector3 SmoothContacts::centre_distance(int i, int j) const {
+  return vector(particles_.x[j]) - vector(particles_.x[i]);
+}
+
+/// Gap between the bounding spheres, 0 if they overlap.
+double SmoothContacts::bounding_gap(const NearPair& pair, const Vector3& distance) const {
+  const double reach = particles_.radius[pair.i] + particles_.radius[pair.j],
+               squared = dot(distance, distance);
+  return squared < reach * reach ? 0.0 : std::sqrt(squared) - reach;
+}
+
+/// @param[in] normal unit, from i to j, along which the gap is measured
+void SmoothContacts::defer(const NearPair& pair, double gap, const Vector3& normal) {
+  pairs_.defer(pair.index, pair.i, gap, motions_.clocks().approach(pair.i, pair.j, normal),
+               motions_.clocks());
+}
+
+/// Pairs that touched in the last step are active, of the others those for which no gap is found.
+void SmoothContacts::check_new_pairs() {
+  to_check_.clear();
+  pairs_.for_each([this](std::uint32_t index, int i, int j) {
+    const NearPair pair = pairs_.pair(index, i, j);
+    if (pair.history[was_touching] != 0.0) {
+      pairs_.activate(pair);
+      return;
+    }
+    to_check_.push_back(pair);
+    if (to_check_.size() == checked_together)
+      check_gaps();
+  });
+  check_gaps();
+}
+
+void SmoothContacts::check_due_pairs() {
+  to_check_.clear();
+  pairs_.end_due_deferrals(
+      motions_.clocks(),
+      [this](std::uint32_t index, int i, int j) { to_check_.push_back(pairs_.pair(index, i, j)); },
+      [this] {
+        if (to_check_.size() >= checked_together)
+          check_gaps();
+      });
+  check_gaps();
+}
+
+/// Most pairs to check are still apart: one Newton step from the normal that separated them tells
+/// how far.
+__attribute__((noinline)) void SmoothContacts::check_gaps() {
+  for (const NearPair& pair : to_check_) {
+    const Vector3 distance = centre_distance(pair.i, pair.j);
+    const double gap = bounding_gap(pair, distance);
+    if (gap > 0.0) {
+      defer(pair, gap, normalized(distance));
+      continue;
+    }
+    const Vector3 remembered = -vector(&pair.history[normal_x]);
+    const bool has_normal = dot(remembered, remembered) > 0.5; // unit vector, or zero
+    in_check_[batch_.size()] = pair;
+    batch_.add(shapes_[pair.i], shapes_[pair.j], distance,
+               has_normal ? remembered : normalized(distance));
+    if (batch_.full())
+      find_gaps();
+  }
+  find_gaps();
+  to_check_.clear();
+}
+
+void SmoothContacts::find_gaps() {
+  batch_.find_gaps();
+  for (int k = 0; k < batch_.size(); ++k) {
+    const NearPair& pair = in_check_[k];
+    const double gap = batch_.gap(k), share = this->share(pair.j);
+    counts_.values[ContactCounts::tested] += share;
+    counts_.values[ContactCounts::newton_steps] += share;
+    if (!(gap > 0.0)) {
+      pairs_.activate(pair);
+      continue;
+    }
+    if (is_time_step_)
+      store(-batch_.normal(k), &pair.history[normal_x]);
+    defer(pair, gap, batch_.normal(k));
+  }
+  batch_.clear();
+}
+
+/// A pair that touched starts from its last normal, together with others.
+void SmoothContacts::search_active_pairs(ContactForces& forces) {
+  const auto prefetch = [this](const NearPair& pair) {
+    pairs_.prefetch_history(pair);
+    __builtin_prefetch(shapes_.address(pair.j), 1);
+    __builtin_prefetch(particles_.x[pair.j]);
+    __builtin_prefetch(particles_.v[pair.j]);
+    __builtin_prefetch(particles_.omega[pair.j]);
+  };
+  pairs_.for_each_active(prefetch, [this, &forces](NearPair& pair) {
+    if (pair.history[was_touching] == 0.0) {
+      const bool stays_active = search_alone(pair, forces);
+      pair.touched = true;
+      return stays_active;
+    }
+    pair.touched = true;
+    Contact& contact = in_search_[batch_.size()]; // number by number: see contact_batch.h
+    contact.i = pair.i;
+    contact.j = pair.j;
+    contact.flag = pair.flag;
+    contact.history = pair.history;
+    batch_.add(shapes_[pair.i], shapes_[pair.j], centre_distance(pair.i, pair.j),
+               -vector(&pair.history[normal_x]));
+    if (batch_.full())
+      search_together(forces);
+    return true;
+  });
+  search_together(forces);
+  forces.apply_added();
+}
+
+/// The pairs in the batch, in the order in which they came.
+__attribute__((noinline)) void SmoothContacts::search_together(ContactForces& forces) {
+  batch_.solve();
+  batch_.solve_open();
+  SearchCounts counts; // here, to live in registers
+  for (int k = 0; k < batch_.size(); ++k) {
+    Contact& contact = in_search_[k];
+    if (!touches(contact,
+                 {batch_.normal(k), batch_.steps(k), batch_.is_apart(k), batch_.has_converged(k)},
+                 counts, forces))
+      contact.history = nullptr;
+    else if (!flags_are_set_)
+      *contact.flag |= ContactModels::CONTACT_SURFACE_MODEL;
+  }
+  forces.apply_found(batch_, in_search_, flags_are_set_);
+  count(counts);
+  batch_.clear();
+}
+
+/// All others start from scratch: what a new contact is does not depend on what happened before it,
+/// nor on whether the run was interrupted.
+/// @return whether the pair touches; its next check is deferred if not
+__attribute__((noinline)) bool SmoothContacts::search_alone(const NearPair& pair,
+                                                            ContactForces& forces) {
+  const Contact contact{pair.i, pair.j, pair.flag, pair.history, 1.0, -1, -1};
+  const Vector3 distance = centre_distance(pair.i, pair.j);
+  const double bounding_gap = this->bounding_gap(pair, distance);
+  if (bounding_gap > 0.0) {
+    close(contact, forces);
+    defer(pair, bounding_gap, normalized(distance));
+    return false;
+  }
+  const Vector3 remembered = -vector(&pair.history[normal_x]);
+  if (dot(remembered, remembered) > 0.5) { // unit vector, or zero
+    const double gap = -overlap_along(shapes_[pair.i], shapes_[pair.j], distance, remembered);
+    if (gap > 0.0) {
+      defer(pair, gap, remembered);
+      return false;
+    }
+  }
+  ellipsoid::SearchOptions options;
+  options.goal = ellipsoid::SearchGoal::distance; // the farther apart, the later the next check
+  const ellipsoid::ContactGeometry found =
+      find_contact(shapes_[pair.i], shapes_[pair.j], distance, options);
+  using Status = ellipsoid::ContactStatus;
+  SearchCounts counts;
+  const bool touches =
+      this->touches(contact,
+                    {found.normal, static_cast<double>(found.iterations),
+                     found.status == Status::separated, found.status != Status::not_converged},
+                    counts, forces);
+  count(counts);
+  if (!touches) {
+    defer(pair, -found.overlap, found.normal);
+    return false;
+  }
+  *pair.flag |= ContactModels::CONTACT_SURFACE_MODEL;
+  if (is_time_step_)
+    pair.history[was_touching] = 1.0;
+  forces.add(contact,
+             {-found.normal, found.point, found.point - distance, std::fmax(0.0, found.overlap),
+              found.reduced_radius, found.curvature_radius_i, found.curvature_radius_j});
+  return true;
+}
+
+/// Counts the pair, remembers its normal, closes the contact where there is none.
+inline bool SmoothContacts::touches(const Contact& pair, const Finding& finding,
+                                    SearchCounts& counts, ContactForces& forces) const {
+  const double share = this->share(pair.j);
+  counts.tested += share;
+  if (finding.steps != 1.0)
+    counts.more_steps += share * (finding.steps - 1.0);
+  if (is_time_step_)
+    store(-finding.normal, &pair.history[normal_x]);
+  if (finding.is_apart) {
+    counts.apart += share;
+    close(pair, forces);
+    return false;
+  }
+  if (!finding.has_converged)
+    counts.not_converged += share;
+  return true;
+}
+
+void SmoothContacts::close(const Contact& pair, ContactForces& forces) const {
+  if (!*pair.flag && pair.history[was_touching] == 0.0)
+    return;
+  forces.close(pair.i, pair.j, pair.flag, pair.history);
+  pair.history[was_touching] = 0.0;
+  *pair.flag = 0;
+}
+
+void SmoothContacts::count(const SearchCounts& counts) {
+  const double touching = counts.tested - counts.apart;
+  counts_.values[ContactCounts::tested] += counts.tested;
+  counts_.values[ContactCounts::newton_steps] += counts.tested + counts.more_steps;
+  counts_.values[ContactCounts::touching_pairs] += touching;
+  counts_.values[ContactCounts::contacts] += touching;
+  counts_.values[ContactCounts::not_converged] += counts.not_converged;
+}
+
+} // namespace LIGGGHTS

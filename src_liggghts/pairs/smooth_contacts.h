@@ -1,0 +1,81 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Contacts of smooth ellipsoids: at most one per pair.
+//
+// The history of a pair starts with what the search remembers: the unit normal from j to i (it
+// flips with the order of the pair, as the host's flag 1 says) and whether the pair touched.
+#ifndef SMOOTH_CONTACTS_H_
+#define SMOOTH_CONTACTS_H_
+
+#include "contact_forces.h"
+#include "ellipsoid/contact_batch.h"
+#include "ellipsoid_shapes.h"
+#include "neighbour_pairs.h"
+#include "particle_arrays.h"
+#include "surface_contacts.h"
+#include "surface_motions.h"
+
+#include <vector>
+
+namespace LIGGGHTS {
+
+class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
+ public:
+  SmoothContacts(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::PairGranEllipsoid& pair);
+  void read_settings(const PairSettings&) override {}
+  ContactCounts compute(ContactForces& forces, bool is_time_step) override;
+
+ private:
+  enum { normal_x, normal_y, normal_z, was_touching }; // offsets in the history
+
+  LAMMPS_NS::PairGranEllipsoid& pair_;
+  ParticleArrays particles_;
+  EllipsoidShapes shapes_;
+  SurfaceMotions motions_;
+  NeighbourPairs pairs_;
+  double near_pairs_ = 0.0;
+  bool is_time_step_ = false;
+  bool flags_are_set_ = false; // of all pairs that touched in the last step
+  ContactCounts counts_;
+
+  /// Pairs whose gaps are found together, and those in the batch at present.
+  static constexpr std::size_t checked_together = 4096; // or a few more
+  std::vector<NearPair> to_check_;
+  NearPair in_check_[ellipsoid::ContactBatch::capacity];
+  /// Pairs that touched in the last step, searched together.
+  Contact in_search_[ellipsoid::ContactBatch::capacity];
+  ellipsoid::ContactBatch batch_;
+
+  /// Most pairs are searched in one step and touch: the others are counted besides.
+  struct SearchCounts {
+    double tested = 0.0, more_steps = 0.0, apart = 0.0, not_converged = 0.0;
+  };
+  /// What a search says of a pair, besides where the contact is.
+  struct Finding {
+    ellipsoid::Vector3 normal; ///< unit, from i to j
+    double steps;
+    bool is_apart, has_converged;
+  };
+
+  void begin_lists();
+  void check_new_pairs();
+  void check_due_pairs();
+  void check_gaps();
+  void find_gaps();
+  void search_active_pairs(ContactForces& forces);
+  void search_together(ContactForces& forces);
+  bool search_alone(const NearPair& pair, ContactForces& forces);
+  bool touches(const Contact& pair, const Finding& finding, SearchCounts& counts,
+               ContactForces& forces) const;
+  void close(const Contact& pair, ContactForces& forces) const;
+  void count(const SearchCounts& counts);
+
+  ellipsoid::Vector3 centre_distance(int i, int j) const;
+  double bounding_gap(const NearPair& pair, const ellipsoid::Vector3& distance) const;
+  void defer(const NearPair& pair, double gap, const ellipsoid::Vector3& normal);
+  double share(int j) const { return j < particles_.owned ? 1.0 : 0.5; }
+};
+
+} // namespace LIGGGHTS
+
+#endif
