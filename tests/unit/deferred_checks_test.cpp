@@ -33,7 +33,7 @@ struct Crowd {
   Crowd() {
     for (int i = 0; i < bodies; ++i)
       for (int k = 0; k < i % 7; ++k)
-        pairs.emindex_back(i, (i + 1 + 5 * k) % bodies);
+        pairs.emplace_back(i, (i + 1 + 5 * k) % bodies);
     deferrals.resize(pairs.size());
     checks.restart(bodies, [this](const auto& visit) {
       for (const IndexPair& pair : pairs)
@@ -75,7 +75,7 @@ struct Crowd {
       const Motion &i = motions[static_cast<std::size_t>(pairs[index].first)],
                    &j = motions[static_cast<std::size_t>(pairs[index].second)];
       deferrals[index].left -=
-          dot(deferrals[index].normal, i.disindexment - j.disindexment) + i.turn + j.turn;
+          dot(deferrals[index].normal, i.displacement - j.displacement) + i.turn + j.turn;
     }
   }
 };
