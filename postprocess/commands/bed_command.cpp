@@ -1,6 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "bed.h"
-#include "pile_commands.h"
+#include "frame_loop.h"
+#include "frame_options.h"
+#include "messages.h"
 #include "upright_options.h"
 
 #include <memory>
@@ -86,6 +88,26 @@ int run(const BedOptions& options) {
   return code;
 }
 
+void add_region_options(CLI::App& command, BedOptions& options) {
+  auto* box = command.add_option("--box", options.box, "x0 x1 y0 y1 z0 z1")->expected(6);
+  command.add_option("--cylinder", options.cylinder, "x y radius z0 z1")
+      ->expected(5)
+      ->excludes(box);
+  command.add_option("--profile", options.profile, "height or radius")
+      ->check(CLI::IsMember({"height", "radius"}));
+  command.add_option("--slices", options.slices, "layers or rings of the profile")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command.add_flag("--below-surface", options.is_below_surface,
+                   "the region ends at the free surface of the bed");
+  command.add_option("--columns", options.column_width, "width of the surface's columns, in b")
+      ->check(CLI::Range(0.01, 10.0))
+      ->capture_default_str();
+  command.add_option("--planes", options.planes, "planes of the integration")
+      ->check(CLI::Range(8, 100000))
+      ->capture_default_str();
+}
+
 } // namespace
 
 void add_bed_command(CLI::App& program, int& exit_code) {
@@ -105,23 +127,7 @@ void add_bed_command(CLI::App& program, int& exit_code) {
       "between z0 and the lower one of surface and z1.");
   add_frame_options(*command, options->frames);
   add_up_option(*command, options->up);
-  auto* box = command->add_option("--box", options->box, "x0 x1 y0 y1 z0 z1")->expected(6);
-  command->add_option("--cylinder", options->cylinder, "x y radius z0 z1")
-      ->expected(5)
-      ->excludes(box);
-  command->add_option("--profile", options->profile, "height or radius")
-      ->check(CLI::IsMember({"height", "radius"}));
-  command->add_option("--slices", options->slices, "layers or rings of the profile")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
-  command->add_flag("--below-surface", options->is_below_surface,
-                    "the region ends at the free surface of the bed");
-  command->add_option("--columns", options->column_width, "width of the surface's columns, in b")
-      ->check(CLI::Range(0.01, 10.0))
-      ->capture_default_str();
-  command->add_option("--planes", options->planes, "planes of the integration")
-      ->check(CLI::Range(8, 100000))
-      ->capture_default_str();
+  add_region_options(*command, *options);
   command->callback([options, &exit_code] {
     try {
       exit_code = run(*options);

@@ -1,10 +1,14 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "contact_forces.h"
 #include "contacts.h"
+#include "digits_warning.h"
+#include "frame_loop.h"
+#include "frame_options.h"
 #include "frame_stream.h"
+#include "measure_rows.h"
+#include "messages.h"
 #include "orientation.h"
-#include "pile_commands.h"
-#include "pile_rows.h"
+#include "table_command.h"
 
 #include <fmt/format.h>
 #include <memory>
@@ -78,7 +82,7 @@ int run_geometry(const ContactsOptions& options) {
   if (!options.list.empty())
     frames.threads = 1; // the list grows in the order of the frames
   Table list{"All contacts", {}};
-  const int code = run_pile_command(
+  const int code = run_table_command(
       frames, "Contacts", [&](const ChosenFrame& f) { return geometry_row(options, f, list); });
   if (!options.list.empty())
     write_text(options.list, as_csv(list));

@@ -1,7 +1,13 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "contact_list_options.h"
-#include "pile_analysis.h"
-#include "pile_commands.h"
+#include "digits_warning.h"
+#include "frame_loop.h"
+#include "measure_rows.h"
+#include "pile_definitions.h"
+#include "pile_measures.h"
+#include "pile_options.h"
+#include "plane_options.h"
+#include "table_command.h"
 
 #include <memory>
 #include <utility>
@@ -57,8 +63,8 @@ void add_coordination_command(CLI::App& program, int& exit_code) {
       ->needs(contacts);
   command->callback([options, &exit_code] {
     exit_code =
-        run_pile_command(options->frames, "Coordination numbers",
-                         [&](const ChosenFrame& f) { return coordination_row(*options, f); });
+        run_table_command(options->frames, "Coordination numbers",
+                          [&](const ChosenFrame& f) { return coordination_row(*options, f); });
   });
 }
 

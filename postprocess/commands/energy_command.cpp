@@ -1,7 +1,9 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "energy.h"
-#include "pile_commands.h"
-#include "pile_rows.h"
+#include "frame_loop.h"
+#include "frame_options.h"
+#include "measure_rows.h"
+#include "table_command.h"
 
 #include <memory>
 
@@ -46,8 +48,8 @@ void add_energy_command(CLI::App& program, int& exit_code) {
     options->energy.gravity = {(*gravity)[0], (*gravity)[1], (*gravity)[2]};
     if (inertia->size() == 3)
       options->energy.inertia = Vector3{(*inertia)[0], (*inertia)[1], (*inertia)[2]};
-    exit_code = run_pile_command(options->frames, "Energy",
-                                 [&](const ChosenFrame& f) { return energy_row(*options, f); });
+    exit_code = run_table_command(options->frames, "Energy",
+                                  [&](const ChosenFrame& f) { return energy_row(*options, f); });
   });
 }
 

@@ -1,8 +1,10 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "bed.h"
+#include "frame_loop.h"
+#include "frame_options.h"
 #include "heap.h"
-#include "pile_commands.h"
-#include "pile_rows.h"
+#include "measure_rows.h"
+#include "table_command.h"
 #include "upright_options.h"
 
 #include <fmt/format.h>
@@ -43,20 +45,29 @@ Row heap_row(const HeapCommandOptions& options, const ChosenFrame& chosen) {
   return row;
 }
 
-} // namespace
-
-void add_up_option(CLI::App& command, std::string& up) {
-  command
-      .add_option("--up", up,
-                  "axis that points up: y or z (with y, the plan's x is the file's z "
-                  "and its y the file's x)")
-      ->check(CLI::IsMember({"y", "z"}))
+void add_cone_options(CLI::App& command, HeapCommandOptions& options) {
+  command.add_option("--floor", options.heap.floor, "height of the floor")->capture_default_str();
+  command.add_option("--sectors", options.heap.sectors, "number of sectors")
+      ->check(CLI::Range(1, 360))
+      ->capture_default_str();
+  command.add_option("--cut-bottom", options.heap.cut_bottom, "as for pile")
+      ->check(CLI::Range(0.0, 0.9))
+      ->capture_default_str();
+  command.add_option("--cut-top", options.heap.cut_top, "as for pile")
+      ->check(CLI::Range(0.0, 0.9))
+      ->capture_default_str();
+  command.add_option("--columns", options.heap.column_width, "width of the columns, in b")
+      ->check(CLI::Range(0.01, 10.0))
+      ->capture_default_str();
+  command.add_option("--cluster-gap", options.heap.cluster_gap, "as for pile, in b")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
+  command.add_option("--planes", options.planes, "planes of the volume's integration")
+      ->check(CLI::Range(8, 100000))
       ->capture_default_str();
 }
 
-ParticleSet upright(const ParticleSet& set, const std::string& up) {
-  return turned_upright(set, up == "y" ? UpAxis::y : UpAxis::z);
-}
+} // namespace
 
 void add_heap_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<HeapCommandOptions>();
@@ -75,28 +86,10 @@ void add_heap_command(CLI::App& program, int& exit_code) {
       "particles, from exact sections in --planes planes.");
   add_frame_options(*command, options->frames);
   add_up_option(*command, options->up);
-  command->add_option("--floor", options->heap.floor, "height of the floor")->capture_default_str();
-  command->add_option("--sectors", options->heap.sectors, "number of sectors")
-      ->check(CLI::Range(1, 360))
-      ->capture_default_str();
-  command->add_option("--cut-bottom", options->heap.cut_bottom, "as for pile")
-      ->check(CLI::Range(0.0, 0.9))
-      ->capture_default_str();
-  command->add_option("--cut-top", options->heap.cut_top, "as for pile")
-      ->check(CLI::Range(0.0, 0.9))
-      ->capture_default_str();
-  command->add_option("--columns", options->heap.column_width, "width of the columns, in b")
-      ->check(CLI::Range(0.01, 10.0))
-      ->capture_default_str();
-  command->add_option("--cluster-gap", options->heap.cluster_gap, "as for pile, in b")
-      ->check(CLI::Range(0.0, 10.0))
-      ->capture_default_str();
-  command->add_option("--planes", options->planes, "planes of the volume's integration")
-      ->check(CLI::Range(8, 100000))
-      ->capture_default_str();
+  add_cone_options(*command, *options);
   command->callback([options, &exit_code] {
-    exit_code = run_pile_command(options->frames, "Heap",
-                                 [&](const ChosenFrame& f) { return heap_row(*options, f); });
+    exit_code = run_table_command(options->frames, "Heap",
+                                  [&](const ChosenFrame& f) { return heap_row(*options, f); });
   });
 }
 

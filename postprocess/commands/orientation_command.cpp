@@ -1,7 +1,9 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "frame_loop.h"
+#include "frame_options.h"
+#include "measure_rows.h"
 #include "orientation.h"
-#include "pile_commands.h"
-#include "pile_rows.h"
+#include "table_command.h"
 
 #include <fmt/format.h>
 #include <memory>
@@ -45,7 +47,7 @@ void add_orientation_command(CLI::App& program, int& exit_code) {
       ->check(CLI::Range(1, 360))
       ->capture_default_str();
   command->callback([options, &exit_code] {
-    exit_code = run_pile_command(options->frames, "Orientation", [&](const ChosenFrame& f) {
+    exit_code = run_table_command(options->frames, "Orientation", [&](const ChosenFrame& f) {
       return orientation_row(*options, f);
     });
   });

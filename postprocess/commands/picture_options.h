@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #pragma once
 
+#include "frame_loop.h"
 #include "frame_options.h"
 #include "pile_picture.h"
 

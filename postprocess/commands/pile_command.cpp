@@ -1,7 +1,10 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "frame_loop.h"
 #include "picture_options.h"
-#include "pile_analysis.h"
-#include "pile_commands.h"
+#include "pile_definitions.h"
+#include "pile_measures.h"
+#include "pile_options.h"
+#include "table_command.h"
 
 #include <memory>
 
@@ -13,7 +16,7 @@ struct PileTableOptions : PileCommandOptions {
 };
 
 Row pile_row(const PileTableOptions& options, const ChosenFrame& chosen) {
-  const PileResult result = analyse_pile(options, chosen);
+  const PileResult result = measure_pile(options, chosen);
   if (!options.picture.empty())
     write_pile_picture(options.picture, chosen, result.pile, result.settings, result.flanks, {});
   return result.row;
@@ -39,8 +42,8 @@ void add_pile_command(CLI::App& program, int& exit_code) {
   command->callback([options, &exit_code] {
     if (!options->picture.empty())
       options->frames.threads = 1; // pictures may have the same name: the last frame's remains
-    exit_code = run_pile_command(options->frames, "Pile",
-                                 [&](const ChosenFrame& f) { return pile_row(*options, f); });
+    exit_code = run_table_command(options->frames, "Pile",
+                                  [&](const ChosenFrame& f) { return pile_row(*options, f); });
   });
 }
 

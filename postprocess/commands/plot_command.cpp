@@ -1,8 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "csv_table.h"
-#include "figures.h"
-#include "frame_options.h"
 #include "input_error.h"
+#include "messages.h"
+#include "paper_figures.h"
 #include "picture_options.h"
 
 #include <fmt/format.h>

@@ -1,11 +1,15 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#include "figures.h"
+#include "frame_loop.h"
 #include "frame_stream.h"
 #include "html.h"
+#include "messages.h"
+#include "paper_figures.h"
 #include "picture_options.h"
-#include "pile_analysis.h"
+#include "pile_definitions.h"
+#include "pile_measures.h"
+#include "pile_options.h"
 #include "run_log.h"
-#include "statistics.h"
+#include "run_summary.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -71,7 +75,7 @@ Row log_row(const std::string& run, const RunLog& log) {
 }
 
 void visit(const ReportOptions& options, const ChosenFrame& chosen, Findings& findings) {
-  const PileResult result = analyse_pile(options, chosen);
+  const PileResult result = measure_pile(options, chosen);
   findings.runs.rows.push_back(result.row);
   PilePictureOptions picture;
   picture.title = frame_title(chosen);

@@ -1,6 +1,11 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#include "pile_analysis.h"
-#include "pile_commands.h"
+#include "frame_loop.h"
+#include "measure_rows.h"
+#include "pile_definitions.h"
+#include "pile_measures.h"
+#include "pile_options.h"
+#include "plane_options.h"
+#include "table_command.h"
 
 #include <memory>
 
@@ -26,8 +31,8 @@ void add_repose_command(CLI::App& program, int& exit_code) {
   add_frame_options(*command, options->frames);
   add_plane_options(*command, options->plane);
   command->callback([options, &exit_code] {
-    exit_code = run_pile_command(options->frames, "Angle of repose",
-                                 [&](const ChosenFrame& f) { return repose_row(*options, f); });
+    exit_code = run_table_command(options->frames, "Angle of repose",
+                                  [&](const ChosenFrame& f) { return repose_row(*options, f); });
   });
 }
 

@@ -1,8 +1,9 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "csv_table.h"
-#include "frame_options.h"
 #include "input_error.h"
-#include "statistics.h"
+#include "messages.h"
+#include "output_options.h"
+#include "run_summary.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -13,7 +14,7 @@ namespace ellipsoid::post {
 namespace {
 
 struct SummaryOptions {
-  FrameOptions output; ///< only csv, json and quiet are used
+  OutputOptions output;
   std::vector<std::string> files;
   std::vector<std::string> groups = {"surface", "subspheres"};
   std::vector<std::string> quantities = {"repose_angle_deg", "porosity", "zpp", "zss"};
@@ -56,7 +57,7 @@ int summarise(const SummaryOptions& options) {
   const Table summary = summary_of(runs, groups, options.quantities);
   if (prints_text(options.output))
     write_text("-", as_text(summary_for_people(runs, groups, options.quantities)));
-  FrameOptions files = options.output;
+  OutputOptions files = options.output;
   files.quiet = true;
   write_table(files, summary);
   return exit_good;

@@ -1,6 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#include "frame_options.h"
 #include "input_error.h"
+#include "messages.h"
+#include "option_checks.h"
+#include "output_options.h"
 #include "template_files.h"
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace ellipsoid::post {
 namespace {
 
 struct TemplateOptions {
-  FrameOptions output;
+  OutputOptions output;
   double b = 1.15e-3;
   std::vector<double> aspect_ratios = {2.7 / 1.15};
   std::vector<int> counts = {3, 5, 7, 9, 11, 13, 15, 17};
@@ -147,6 +149,42 @@ int run(TemplateOptions& options) {
   return exit_good;
 }
 
+/// The tolerance that stands for a number of spheres, and the mass.
+void add_count_options(CLI::App& command, TemplateOptions& options) {
+  command
+      .add_option("--tolerance", options.tolerance,
+                  "instead of --subspheres: the smallest N within this share of the measure")
+      ->check(CLI::Range(1e-6, 0.5));
+  command.add_option("--measure", options.measure, "of --tolerance: area, volume or outline")
+      ->check(CLI::IsMember({"area", "volume", "outline"}))
+      ->capture_default_str();
+  command
+      .add_option("--mass", options.mass,
+                  "of the body (kg): completes the molecule file, prints the words that go with "
+                  "--multisphere")
+      ->check(CLI::PositiveNumber);
+}
+
+void add_file_options(CLI::App& command, TemplateOptions& options) {
+  command.add_option("--multisphere", options.multisphere,
+                     "write x y z r lines for the host's fix particletemplate/multisphere");
+  command.add_option("--molecule", options.molecule, "write a LAMMPS molecule file");
+  command.add_option("--spheres", options.spheres, "write the spheres as CSV");
+  command.add_option("--vtp", options.mesh, "write the surface for ParaView");
+  command.add_option("--stl", options.stl, "write the surface as STL");
+}
+
+/// To be added last: it excludes all others.
+void add_comparison_option(CLI::App& command, TemplateOptions& options) {
+  CLI::Option* compare = command.add_option(
+      "--compare-spacings", options.compared_tolerance,
+      "table of the smallest N of each spacing within this share of area, volume and outline");
+  compare->check(CLI::Range(1e-6, 0.5));
+  for (const char* other : {"--b", "--subspheres", "--spacing", "--tolerance", "--measure",
+                            "--mass", "--multisphere", "--molecule", "--spheres", "--vtp", "--stl"})
+    compare->excludes(command.get_option(other));
+}
+
 } // namespace
 
 void add_template_command(CLI::App& program, int& exit_code) {
@@ -168,31 +206,9 @@ void add_template_command(CLI::App& program, int& exit_code) {
                    "paper, minimax (the same as minimax_outline), minimax_outline, minimax_area")
       ->capture_default_str()
       ->check(check_by([](const std::string& word) { sphere_spacing_from_word(word); }));
-  command
-      ->add_option("--tolerance", options->tolerance,
-                   "instead of --subspheres: the smallest N within this share of the measure")
-      ->check(CLI::Range(1e-6, 0.5));
-  command->add_option("--measure", options->measure, "of --tolerance: area, volume or outline")
-      ->check(CLI::IsMember({"area", "volume", "outline"}))
-      ->capture_default_str();
-  command
-      ->add_option("--mass", options->mass,
-                   "of the body (kg): completes the molecule file, prints the words that go with "
-                   "--multisphere")
-      ->check(CLI::PositiveNumber);
-  CLI::Option* compare = command->add_option(
-      "--compare-spacings", options->compared_tolerance,
-      "table of the smallest N of each spacing within this share of area, volume and outline");
-  compare->check(CLI::Range(1e-6, 0.5));
-  command->add_option("--multisphere", options->multisphere,
-                      "write x y z r lines for the host's fix particletemplate/multisphere");
-  command->add_option("--molecule", options->molecule, "write a LAMMPS molecule file");
-  command->add_option("--spheres", options->spheres, "write the spheres as CSV");
-  command->add_option("--vtp", options->mesh, "write the surface for ParaView");
-  command->add_option("--stl", options->stl, "write the surface as STL");
-  for (const char* other : {"--b", "--subspheres", "--spacing", "--tolerance", "--measure",
-                            "--mass", "--multisphere", "--molecule", "--spheres", "--vtp", "--stl"})
-    compare->excludes(command->get_option(other));
+  add_count_options(*command, *options);
+  add_file_options(*command, *options);
+  add_comparison_option(*command, *options);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] {
     try {

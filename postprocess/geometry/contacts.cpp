@@ -144,14 +144,6 @@ class PairFinder {
   }
 
  private:
-  /// False for deep overlaps: they are to be searched anew from the best normal there is.
-  static bool is_settled(const ContactGeometry& found, const EllipsoidShape& i,
-                         const EllipsoidShape& j) {
-    return found.status == ContactStatus::separated ||
-           (found.status == ContactStatus::touching &&
-            found.overlap <= i.smallest_curvature_radius + j.smallest_curvature_radius);
-  }
-
   void add_pair(std::size_t i, std::size_t j, std::size_t first) {
     const std::size_t count = m_network.contacts.size() - first;
     if (count > 0)

@@ -29,12 +29,10 @@ inline FirstLook first_look(const SymmetricMatrix3& i, const SymmetricMatrix3& j
   // far above the rounding of the most slender bodies that are read (aspect ratio 1e4)
   constexpr double well_inside = 1.0 - 1.0e-6;
   const SymmetricMatrix3 g = (1.0 - lambda) * i + lambda * j;
-  const SymmetricMatrix3 adjugate{g.yy * g.zz - g.yz * g.yz, g.xx * g.zz - g.xz * g.xz,
-                                  g.xx * g.yy - g.xy * g.xy, g.xz * g.yz - g.xy * g.zz,
-                                  g.xy * g.yz - g.xz * g.yy, g.xy * g.xz - g.yz * g.xx};
-  const Vector3 y = adjugate * d; // times the determinant
+  const SymmetricMatrix3 cofactors = adjugate(g);
+  const Vector3 y = cofactors * d; // times the determinant
   const double s_i = std::sqrt(dot(y, i * y)), s_j = std::sqrt(dot(y, j * y));
-  const double determinant = g.xx * adjugate.xx + g.xy * adjugate.xy + g.xz * adjugate.xz;
+  const double determinant = g.xx * cofactors.xx + g.xy * cofactors.xy + g.xz * cofactors.xz;
   const double sum = s_i + s_j;
   const bool touch = std::max((1.0 - lambda) * s_i, lambda * s_j) < well_inside * determinant;
   const double next_lambda = sum > 0.0 ? s_i / sum : lambda;

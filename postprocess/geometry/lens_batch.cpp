@@ -103,38 +103,49 @@ inline double turn_of(const Direction& d) {
   return d.cosine < 0.0 ? 2.0 - r : ahead;
 }
 
-inline void look_at_pair(Columns& columns, int k) {
+/// Outline i where outline j is the unit circle about 0: d + p cos t + q sin t.
+struct SeenOutline {
+  double d_x, d_y, p_x, p_y, q_y; ///< q_x is 0
+
+  Direction at(const Direction& t) const {
+    return {d_x + t.cosine * p_x, d_y + t.cosine * p_y + t.sine * q_y};
+  }
+  Level level() const {
+    const double pp = p_x * p_x + p_y * p_y, qq = q_y * q_y;
+    return {d_x * d_x + d_y * d_y + 0.5 * (pp + qq) - 1.0, 2.0 * (d_x * p_x + d_y * p_y),
+            2.0 * d_y * q_y, 0.5 * (pp - qq), p_y * q_y};
+  }
+};
+
+inline SeenOutline seen_outline(const Columns& columns, int k) {
   using C = Columns;
   const auto in = [&columns, k](int column) { return columns.in[column][k]; };
-  const auto put = [&columns, k](int column, double value) { columns.out[column][k] = value; };
-  const auto put_end = [&put](int column, const Direction& d) {
-    put(column, turn_of(d));
-    put(column + 1, d.cosine);
-    put(column + 2, d.sine);
-  };
-  // outline i where j is the unit circle about 0: d + p cos t + q sin t
   const double scale_x = 1.0 / in(C::ux_j), scale_y = 1.0 / in(C::vy_j);
-  const double d_x = in(C::dx)*scale_x, d_y = (in(C::dy)-in(C::uy_j)*d_x) * scale_y;
-  const double p_x = in(C::ux_i)*scale_x, p_y = (in(C::uy_i)-in(C::uy_j)*p_x) * scale_y;
-  const double q_y = in(C::vy_i)*scale_y;
-  const double pp = p_x * p_x + p_y * p_y, qq = q_y * q_y;
-  const Level f{d_x * d_x + d_y * d_y + 0.5 * (pp + qq) - 1.0, 2.0 * (d_x * p_x + d_y * p_y),
-                2.0 * d_y * q_y, 0.5 * (pp - qq), p_y * q_y};
-  const double first_wave = std::sqrt(f.c1 * f.c1 + f.s1 * f.s1);
-  const double second_wave = std::sqrt(f.c2 * f.c2 + f.s2 * f.s2);
-  const double size = std::abs(f.k) + first_wave + second_wave;
-  const double bound = first_wave + 4.0 * second_wave;
+  const double d_x = in(C::dx)*scale_x, p_x = in(C::ux_i)*scale_x;
+  return {d_x, (in(C::dy)-in(C::uy_j)*d_x) * scale_y, p_x, (in(C::uy_i)-in(C::uy_j)*p_x) * scale_y,
+          in(C::vy_i)*scale_y};
+}
 
+/// Newton's method to a minimum of f.
+/// @param[in] bound of the curvature
+inline Direction minimum_of(const Level& f, double bound) {
   Direction m = lowest_eighth(f);
   for (int step = 0; step < newton_steps; ++step) {
     const auto jet = f.at(m);
     const double steepest = jet.curvature > 0.1 * bound ? jet.curvature : bound;
     m = turned(m, -jet.slope, steepest);
   }
-  const auto lowest = f.at(m);
-  const bool is_apart = (lowest.value > std::abs(lowest.slope) + level_margin * size) &
-                        (f.proof(m, 1.0) > proof_margin * size);
+  return m;
+}
 
+/// The two roots beside a minimum, and whether they are proved to be all there are.
+struct FoundLens {
+  Direction begin, end;
+  bool is_proved;
+};
+
+inline FoundLens lens_about(const Level& f, const Direction& m, double size, double bound) {
+  const auto lowest = f.at(m);
   // sin^2 of half of w, exact for discs: there f - f(m) is proportional to 1 - cos u
   const double squared = -0.5 * lowest.value / lowest.curvature;
   const double twice_tangent = 2.0 * std::sqrt(std::max(0.0, squared / (1.0 - squared)));
@@ -147,20 +158,39 @@ inline void look_at_pair(Columns& columns, int k) {
   const Direction middle{inverse * chord.sine, -inverse * chord.cosine};
   const double sin_w = 0.5 * length;
   const double cos_w = middle.cosine * end.at.cosine + middle.sine * end.at.sine;
-  const bool is_lens = (lowest.value < -level_margin * size) & (lowest.curvature > 0.0) &
-                       begin.is_exact & end.is_exact & (sin_w > smallest_half_width) &
-                       (middle.cosine * m.cosine + middle.sine * m.sine > 0.0) &
-                       (f.proof(middle, cos_w) > proof_margin * size);
-  put(C::is_apart, is_apart ? 1.0 : 0.0);
-  put(C::is_lens, is_lens ? 1.0 : 0.0);
-  put_end(C::begin_i, begin.at);
-  put_end(C::end_i, end.at);
-  // both outlines run counter-clockwise: where one leaves the other enters
-  const auto seen = [&](const Direction& d) {
-    return Direction{d_x + d.cosine * p_x, d_y + d.cosine * p_y + d.sine * q_y};
+  return {begin.at, end.at,
+          (lowest.value < -level_margin * size) & (lowest.curvature > 0.0) & begin.is_exact &
+              end.is_exact & (sin_w > smallest_half_width) &
+              (middle.cosine * m.cosine + middle.sine * m.sine > 0.0) &
+              (f.proof(middle, cos_w) > proof_margin * size)};
+}
+
+inline void look_at_pair(Columns& columns, int k) {
+  using C = Columns;
+  const auto put = [&columns, k](int column, double value) { columns.out[column][k] = value; };
+  const auto put_end = [&put](int column, const Direction& d) {
+    put(column, turn_of(d));
+    put(column + 1, d.cosine);
+    put(column + 2, d.sine);
   };
-  put_end(C::begin_j, seen(end.at));
-  put_end(C::end_j, seen(begin.at));
+  const SeenOutline seen = seen_outline(columns, k);
+  const Level f = seen.level();
+  const double first_wave = std::sqrt(f.c1 * f.c1 + f.s1 * f.s1);
+  const double second_wave = std::sqrt(f.c2 * f.c2 + f.s2 * f.s2);
+  const double size = std::abs(f.k) + first_wave + second_wave;
+  const double bound = first_wave + 4.0 * second_wave;
+  const Direction m = minimum_of(f, bound);
+  const auto lowest = f.at(m);
+  const bool is_apart = (lowest.value > std::abs(lowest.slope) + level_margin * size) &
+                        (f.proof(m, 1.0) > proof_margin * size);
+  const FoundLens lens = lens_about(f, m, size, bound);
+  put(C::is_apart, is_apart ? 1.0 : 0.0);
+  put(C::is_lens, lens.is_proved ? 1.0 : 0.0);
+  put_end(C::begin_i, lens.begin);
+  put_end(C::end_i, lens.end);
+  // both outlines run counter-clockwise: where one leaves the other enters
+  put_end(C::begin_j, seen.at(lens.end));
+  put_end(C::end_j, seen.at(lens.begin));
 }
 
 inline void look_loop(Columns& columns, int size) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "height_map.h"
-#include "statistics.h"
+#include "spread.h"
 
 namespace ellipsoid::post {
 

@@ -68,6 +68,13 @@ void find_extent(PileBody& pile, const PileOptions& options) {
 
 } // namespace
 
+std::vector<PlaneWall> walls_of(const PileOptions& options) {
+  std::vector<PlaneWall> walls = {{{0.0, options.floor, 0.0}, {0.0, 1.0, 0.0}}};
+  if (options.wall)
+    walls.push_back({{*options.wall, 0.0, 0.0}, {1.0, 0.0, 0.0}});
+  return walls;
+}
+
 NearPairs near_pairs(const ParticleSet& set, const PileOptions& options) {
   return {set, options.cluster_gap * mean_smallest_axis(set, all_members(set))};
 }

@@ -53,6 +53,9 @@ std::vector<std::size_t> pile_members(const ParticleSet& set, const PileOptions&
                                       const NearPairs& near,
                                       const std::vector<PairContact>& touching = {});
 
+/// Wall and floor as planes.
+std::vector<PlaneWall> walls_of(const PileOptions& options);
+
 /// Pairs of particles near enough to each other to belong to one pile.
 NearPairs near_pairs(const ParticleSet& set, const PileOptions& options);
 

@@ -137,14 +137,6 @@ ContactGeometry descend(const Vector3& start, const EllipsoidShape& i, const Ell
   return finish(f, ContactStatus::not_converged, options.newton_limit);
 }
 
-/// G^-1 d up to a positive factor, G = (1 - lambda) A_i + lambda A_j.
-Vector3 solve_direction(const SymmetricMatrix3& g, const Vector3& d) {
-  const SymmetricMatrix3 adjugate{g.yy * g.zz - g.yz * g.yz, g.xx * g.zz - g.xz * g.xz,
-                                  g.xx * g.yy - g.xy * g.xy, g.xz * g.yz - g.xy * g.zz,
-                                  g.xy * g.yz - g.xz * g.yy, g.xy * g.xz - g.yz * g.xx};
-  return adjugate * d;
-}
-
 /// Normal at which both bodies, scaled about their centres by one common factor, just touch
 /// (Perram and Wertheim 1985, J. Comput. Phys. 58, 409): the maximum over lambda of
 /// lambda (1 - lambda) d^T G^-1 d, which is concave. Its derivative has the sign of
@@ -159,7 +151,8 @@ Vector3 first_normal(const EllipsoidShape& i, const EllipsoidShape& j,
   double low = 0.0, high = 1.0, lambda = 0.5;
   Vector3 n = d;
   for (int k = 0; k < tolerance::bracket_limit && high - low > tolerance::bracket_width; ++k) {
-    const Vector3 y = solve_direction((1.0 - lambda) * i.a_matrix + lambda * j.a_matrix, d);
+    // G^-1 d up to a positive factor
+    const Vector3 y = adjugate((1.0 - lambda) * i.a_matrix + lambda * j.a_matrix) * d;
     n = normalized(y);
     const double s_i = support(i, n), s_j = support(j, n);
     if (s_i + s_j < dot(n, centre_distance))
@@ -188,13 +181,6 @@ std::array<Vector3, sample_count> spiral_directions() {
   return directions;
 }
 
-/// A minimum of phi not deeper than the smallest radius of curvature of the Minkowski sum is the
-/// only one below that depth: a ball of that radius rolls freely inside the sum (Blaschke).
-bool is_certainly_global(const ContactGeometry& c, const EllipsoidShape& i,
-                         const EllipsoidShape& j) {
-  return c.overlap <= i.smallest_curvature_radius + j.smallest_curvature_radius;
-}
-
 /// Deep overlap of slender bodies, where phi may have several minima: descends from the best of
 /// many normals and keeps the lowest result.
 ContactGeometry search_deep(ContactGeometry best, const EllipsoidShape& i, const EllipsoidShape& j,
@@ -221,12 +207,16 @@ ContactGeometry search_deep(ContactGeometry best, const EllipsoidShape& i, const
 
 ContactGeometry certify(const ContactGeometry& c, const EllipsoidShape& i, const EllipsoidShape& j,
                         const Vector3& centre_distance, const SearchOptions& options) {
-  const bool settled = c.status == ContactStatus::separated ||
-                       (c.status == ContactStatus::touching && is_certainly_global(c, i, j));
-  return settled ? c : search_deep(c, i, j, centre_distance, options);
+  return is_settled(c, i, j) ? c : search_deep(c, i, j, centre_distance, options);
 }
 
 } // namespace
+
+bool is_settled(const ContactGeometry& found, const EllipsoidShape& i, const EllipsoidShape& j) {
+  return found.status == ContactStatus::separated ||
+         (found.status == ContactStatus::touching &&
+          found.overlap <= i.smallest_curvature_radius + j.smallest_curvature_radius);
+}
 
 ContactGeometry find_contact(const EllipsoidShape& i, const EllipsoidShape& j,
                              const Vector3& centre_distance, const SearchOptions& options) {

@@ -84,6 +84,12 @@ ContactGeometry find_contact_from(const Vector3& normal_guess, const EllipsoidSh
                                   const EllipsoidShape& j, const Vector3& centre_distance,
                                   const SearchOptions& options = {});
 
+/// Whether a descent from one normal found the answer. A minimum of phi not deeper than the
+/// smallest radius of curvature of the Minkowski sum is the only one below that depth: a ball of
+/// that radius rolls freely inside the sum (Blaschke). A deeper one has to be searched from many
+/// normals.
+bool is_settled(const ContactGeometry& found, const EllipsoidShape& i, const EllipsoidShape& j);
+
 /// Support function s(n) = sqrt(n^T A n) (length); n need not be a unit vector.
 inline double support(const EllipsoidShape& shape, const Vector3& normal) {
   return std::sqrt(dot(normal, shape.a_matrix * normal));

@@ -67,6 +67,12 @@ inline double determinant(const SymmetricMatrix3& m) {
          m.xz * (m.xy * m.yz - m.yy * m.xz);
 }
 
+/// Matrix of the cofactors: the inverse times the determinant.
+inline SymmetricMatrix3 adjugate(const SymmetricMatrix3& m) {
+  return {m.yy * m.zz - m.yz * m.yz, m.xx * m.zz - m.xz * m.xz, m.xx * m.yy - m.xy * m.xy,
+          m.xz * m.yz - m.xy * m.zz, m.xy * m.yz - m.xz * m.yy, m.xy * m.xz - m.yz * m.xx};
+}
+
 /// Rotation matrix; its columns are the body's axes in the space frame.
 struct Rotation3 {
   Vector3 column_x{1.0, 0.0, 0.0}, column_y{0.0, 1.0, 0.0}, column_z{0.0, 0.0, 1.0};

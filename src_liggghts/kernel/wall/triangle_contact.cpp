@@ -126,7 +126,7 @@ TriangleContacts find_triangle_contacts(const EllipsoidBody& body, const Triangl
     contacts.face.point = plane.point;
     contacts.face.overlap = plane.overlap;
     if (!contacts.face.deep)
-      return contacts; // the only minimum (Blaschke; see is_certainly_global in
+      return contacts; // the only minimum (Blaschke; see is_settled in
                        // ellipsoid_contact.cpp)
     contacts.face_is_missed = !reaches(body, t);
   }

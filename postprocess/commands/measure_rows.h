@@ -25,11 +25,4 @@ void append_rest(Row& row, const RestCheck& rest);
 /// Shares per bin of an angle from 0 to 180 degrees.
 void append_rose(Row& row, const std::vector<double>& rose);
 
-/// Wall and floor as planes.
-std::vector<PlaneWall> walls_of(const PileOptions& options);
-
-/// A warning when the file's digits are too few for the contacts (the host's default format %g
-/// keeps six), or an empty string.
-std::string digits_warning(const Frame& frame, const ParticleSet& set);
-
 } // namespace ellipsoid::post

@@ -1,11 +1,11 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#include "figures.h"
+#include "paper_figures.h"
 
 #include "csv_table.h"
 #include "input_error.h"
 #include "multisphere/multisphere_template.h"
 #include "paper_values.h"
-#include "statistics.h"
+#include "spread.h"
 
 #include <algorithm>
 #include <fmt/format.h>

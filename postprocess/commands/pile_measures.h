@@ -1,29 +1,16 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// What the commands on in-plane piles take from one frame.
 #pragma once
 
-#include "frame_options.h"
-#include "pile_rows.h"
+#include "frame_loop.h"
+#include "pile_options.h"
+#include "repose.h"
+
+#include <string>
+#include <vector>
 
 namespace ellipsoid::post {
-
-/// Options of the commands on in-plane piles; each command adds the groups it uses.
-struct PileCommandOptions {
-  FrameOptions frames;
-  PlaneOptions plane;
-  std::string region = "whole";
-  double margin = 2.0; ///< of the core, in a
-  bool with_walls = false;
-  double contact_gap = 0.0; ///< in b
-  double gravity = 9.81;    ///< m/s2
-};
-
-void add_porosity_options(CLI::App& command, PileCommandOptions& options);
-void add_coordination_options(CLI::App& command, PileCommandOptions& options);
-void add_rest_options(CLI::App& command, PileCommandOptions& options);
-
-PorosityOptions porosity_settings(const PileCommandOptions& options);
-CoordinationOptions coordination_settings(const PileCommandOptions& options,
-                                          const PileOptions& pile, double mean_b);
 
 /// The pile of a frame; warns when its particles do not lie in one plane and no section was chosen.
 Pile plane_pile(const ChosenFrame& chosen, const PileOptions& options);
@@ -51,12 +38,6 @@ struct PileResult {
   std::vector<ReposeAngle> flanks;
   Row row;
 };
-PileResult analyse_pile(const PileCommandOptions& options, const ChosenFrame& chosen);
-
-// What the commands say about their definitions in --help.
-extern const char* const repose_definition;
-extern const char* const porosity_definition;
-extern const char* const coordination_definition;
-extern const char* const pile_definition;
+PileResult measure_pile(const PileCommandOptions& options, const ChosenFrame& chosen);
 
 } // namespace ellipsoid::post

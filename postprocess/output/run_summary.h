@@ -8,17 +8,6 @@
 
 namespace ellipsoid::post {
 
-/// Several values of one quantity, as the paper gives them: average and uncertainty margin.
-struct Spread {
-  std::size_t count = 0;
-  double mean = 0.0;
-  double half_range = 0.0;         ///< (max - min) / 2, the paper's margin
-  double standard_deviation = 0.0; ///< of one value, n - 1; 0 for one value
-  double lowest = 0.0, highest = 0.0;
-};
-
-Spread spread_of(const std::vector<double>& values);
-
 /// One row per group: the group's keys, the number of runs, and for each quantity mean, half
 /// range, half range in percent of the mean, standard deviation, lowest and highest value.
 /// Rows without one of the group's keys form a group of their own ("-"). Groups are in the order

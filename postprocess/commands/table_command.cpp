@@ -1,8 +1,9 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#include "pile_commands.h"
+#include "table_command.h"
 
-#include "pile_rows.h"
-#include "statistics.h"
+#include "frame_options.h"
+#include "messages.h"
+#include "run_summary.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -15,8 +16,8 @@ const std::vector<std::string> summarised = {"repose_angle_deg", "porosity", "zp
 
 } // namespace
 
-int run_pile_command(const FrameOptions& options, const std::string& title,
-                     const std::function<Row(const ChosenFrame&)>& make_row) {
+int run_table_command(const FrameOptions& options, const std::string& title,
+                      const std::function<Row(const ChosenFrame&)>& make_row) {
   Table table{title, {}};
   int code = for_measured_frames(options, [&](const ChosenFrame& chosen) {
     return [&table, row = make_row(chosen)] { table.rows.push_back(row); };
@@ -31,12 +32,6 @@ int run_pile_command(const FrameOptions& options, const std::string& title,
     code = exit_bad_data;
   }
   return code;
-}
-
-void warn_of_digits(const ChosenFrame& chosen) {
-  const std::string warning = digits_warning(chosen.frame, chosen.set);
-  if (!warning.empty())
-    report_warning(warning, "digits of " + chosen.frame.place.file); // once per file is enough
 }
 
 } // namespace ellipsoid::post

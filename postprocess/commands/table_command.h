@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #pragma once
 
+#include "frame_loop.h"
 #include "frame_options.h"
 
 namespace ellipsoid::post {
@@ -8,10 +9,7 @@ namespace ellipsoid::post {
 /// Makes one row per chosen frame (in threads, see for_measured_frames) and writes the table; rows
 /// of good frames are written even if others fail.
 /// @return exit code
-int run_pile_command(const FrameOptions& options, const std::string& title,
-                     const std::function<Row(const ChosenFrame&)>& make_row);
-
-/// Warns on standard error when the file's digits are too few for contacts.
-void warn_of_digits(const ChosenFrame& chosen);
+int run_table_command(const FrameOptions& options, const std::string& title,
+                      const std::function<Row(const ChosenFrame&)>& make_row);
 
 } // namespace ellipsoid::post

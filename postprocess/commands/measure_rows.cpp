@@ -1,9 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#include "pile_rows.h"
+#include "measure_rows.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fmt/format.h>
 
 namespace ellipsoid::post {
@@ -120,33 +119,6 @@ void append_rose(Row& row, const std::vector<double>& rose) {
     row.push_back({fmt::format("rose_{:g}_to_{:g}_deg", begin, begin + width),
                    fmt::format("share from {:g} to {:g} deg", begin, begin + width), "", rose[k]});
   }
-}
-
-std::vector<PlaneWall> walls_of(const PileOptions& options) {
-  std::vector<PlaneWall> walls = {{{0.0, options.floor, 0.0}, {0.0, 1.0, 0.0}}};
-  if (options.wall)
-    walls.push_back({{*options.wall, 0.0, 0.0}, {1.0, 0.0, 0.0}});
-  return walls;
-}
-
-std::string digits_warning(const Frame& frame, const ParticleSet& set) {
-  constexpr std::size_t looked_at = 200;
-  bool is_six_digits = true, is_single = true;
-  double farthest = 0.0;
-  for (std::size_t k = 0; k < std::min(looked_at, set.particles.size()); ++k)
-    for (const double x : {set.particles[k].centre.x, set.particles[k].centre.y}) {
-      is_six_digits = is_six_digits && std::strtod(fmt::format("{:.6g}", x).c_str(), nullptr) == x;
-      is_single = is_single && static_cast<double>(static_cast<float>(x)) == x;
-      farthest = std::max(farthest, std::abs(x));
-    }
-  if (!(is_six_digits || is_single) || !(farthest > 0.0))
-    return "";
-  const double error =
-      is_single ? farthest * 6e-8 : 0.5 * std::pow(10.0, std::floor(std::log10(farthest)) - 5.0);
-  const double b = mean_smallest_axis(set, all_members(set));
-  return fmt::format("{}: positions have {}, an error of {:.1e} b: contacts and overlaps from them "
-                     "are blurred; use a text dump with `dump_modify ID format \"... %.16g ...\"`",
-                     frame.place.file, is_single ? "single precision" : "six digits", error / b);
 }
 
 } // namespace ellipsoid::post

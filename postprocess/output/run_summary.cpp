@@ -1,7 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#include "statistics.h"
+#include "run_summary.h"
 
 #include "csv_table.h"
+#include "spread.h"
 
 #include <algorithm>
 #include <charconv>
@@ -92,29 +93,6 @@ void append_spread(Row& row, const Quantity& quantity, const Spread& s) {
   row.push_back({key_with(key, "lowest"), "lowest", quantity.unit, s.lowest});
   row.push_back({key_with(key, "highest"), "highest", quantity.unit, s.highest});
 }
-
-} // namespace
-
-Spread spread_of(const std::vector<double>& values) {
-  Spread s;
-  s.count = values.size();
-  if (values.empty())
-    return s;
-  const auto n = static_cast<double>(values.size());
-  const auto range = std::minmax_element(values.begin(), values.end());
-  s.lowest = *range.first;
-  s.highest = *range.second;
-  s.half_range = 0.5 * (s.highest - s.lowest);
-  for (const double value : values)
-    s.mean += value / n;
-  double squares = 0.0;
-  for (const double value : values)
-    squares += (value - s.mean) * (value - s.mean);
-  s.standard_deviation = values.size() > 1 ? std::sqrt(squares / (n - 1.0)) : 0.0;
-  return s;
-}
-
-namespace {
 
 /// A row per group; `append` adds the spread of each quantity that the group has.
 Table grouped(const Table& runs, const std::vector<std::string>& group_keys,

@@ -1,0 +1,75 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#pragma once
+
+#include "frame_loop.h"
+#include "frame_options.h"
+#include "messages.h"
+#include "worker_pool.h"
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ellipsoid::post {
+
+class FrameStream;
+
+/// The frames of one run that the options choose, measured one after the other or several at a
+/// time.
+class FrameChooser {
+ public:
+  /// @param[in] workers none: frames are measured one after the other
+  /// @param[in] most_frames that are measured at a time
+  FrameChooser(const FrameOptions& options, std::string run, WorkerPool* workers,
+               unsigned most_frames, const std::function<Collect(const ChosenFrame&)>& measure);
+  ~FrameChooser();
+  FrameChooser(const FrameChooser&) = delete;
+  FrameChooser& operator=(const FrameChooser&) = delete;
+
+  /// @return exit code
+  int read(const std::vector<std::string>& files);
+
+ private:
+  /// What became of a frame: an error message, or what to do with its measures.
+  struct Outcome {
+    std::string error;
+    Collect collect;
+    bool is_unreadable = false; ///< what follows in the file does not count
+    std::vector<Warning> warnings;
+  };
+  struct Waiting {
+    std::future<Outcome> outcome;
+    std::unique_ptr<Frame> frame;
+    std::size_t text; ///< that its rows were (bytes)
+  };
+
+  bool next_of(FrameStream& stream);
+  std::string no_frame() const;
+  void take();
+  void hand_over(Frame& frame);
+  void hand_to_workers(Frame& frame);
+  Outcome outcome_of(Frame& frame) const;
+  void measure(const Frame& frame, Outcome& outcome) const;
+  void finish(const Outcome& outcome);
+  void collect_oldest();
+  void collect_all();
+
+  const FrameOptions& m_options;
+  std::string m_run;
+  WorkerPool* m_workers;
+  unsigned m_most_frames;
+  const std::function<Collect(const ChosenFrame&)>& m_measure;
+  Frame m_frame, m_last;
+  bool m_has_last = false, m_is_done = false;
+  bool m_is_unreadable = false;         ///< rows of a frame that was given to the threads
+  std::size_t m_chosen = 0, m_seen = 0; ///< frames
+  std::size_t m_rows_waiting = 0, m_text_waiting = 0; ///< rows, bytes
+  std::int64_t m_first_step = 0, m_last_step = 0;     ///< of the frames that were seen
+  std::deque<Waiting> m_waiting;              ///< frames that are being measured, oldest first
+  std::vector<std::unique_ptr<Frame>> m_free; ///< whose memory is used again
+  int m_code = exit_good;
+};
+
+} // namespace ellipsoid::post

@@ -1,0 +1,22 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "option_checks.h"
+
+#include <exception>
+#include <utility>
+
+namespace ellipsoid::post {
+
+CLI::Validator check_by(std::function<void(const std::string&)> parse) {
+  return CLI::Validator(
+      [parse = std::move(parse)](const std::string& word) -> std::string {
+        try {
+          parse(word);
+        } catch (const std::exception& error) {
+          return error.what();
+        }
+        return "";
+      },
+      "");
+}
+
+} // namespace ellipsoid::post

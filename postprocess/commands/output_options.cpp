@@ -1,0 +1,27 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "output_options.h"
+
+namespace ellipsoid::post {
+
+void add_output_options(CLI::App& command, OutputOptions& options) {
+  command.add_option("--csv", options.csv,
+                     "write the table as CSV to a file, \"-\": to standard output");
+  command.add_option("--json", options.json,
+                     "write the table as JSON to a file, \"-\": to standard output");
+  command.add_flag("--quiet", options.quiet, "print no table for people");
+}
+
+bool prints_text(const OutputOptions& options) {
+  return !options.quiet && options.csv != "-" && options.json != "-";
+}
+
+void write_table(const OutputOptions& options, const Table& table) {
+  if (prints_text(options) && !table.rows.empty())
+    write_text("-", as_text(table));
+  if (!options.csv.empty())
+    write_text(options.csv, as_csv(table));
+  if (!options.json.empty())
+    write_text(options.json, as_json(table));
+}
+
+} // namespace ellipsoid::post

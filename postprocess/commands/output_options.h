@@ -1,0 +1,26 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#pragma once
+
+#include "command.h"
+#include "table.h"
+
+#include <string>
+
+namespace ellipsoid::post {
+
+/// Where a command's table goes.
+struct OutputOptions {
+  std::string csv, json; ///< paths; empty: not wanted
+  bool quiet = false;    ///< no table for people
+};
+
+/// Adds --csv, --json and --quiet.
+void add_output_options(CLI::App& command, OutputOptions& options);
+
+/// Whether tables for people go to standard output.
+bool prints_text(const OutputOptions& options);
+
+/// Writes a table as the options ask: text on standard output, CSV, JSON.
+void write_table(const OutputOptions& options, const Table& table);
+
+} // namespace ellipsoid::post
