@@ -158,11 +158,11 @@ inline FoundLens lens_about(const Level& f, const Direction& m, double size, dou
   const Direction middle{inverse * chord.sine, -inverse * chord.cosine};
   const double sin_w = 0.5 * length;
   const double cos_w = middle.cosine * end.at.cosine + middle.sine * end.at.sine;
-  return {begin.at, end.at,
-          (lowest.value < -level_margin * size) & (lowest.curvature > 0.0) & begin.is_exact &
-              end.is_exact & (sin_w > smallest_half_width) &
-              (middle.cosine * m.cosine + middle.sine * m.sine > 0.0) &
-              (f.proof(middle, cos_w) > proof_margin * size)};
+  const bool is_proved = (lowest.value < -level_margin * size) & (lowest.curvature > 0.0) &
+                         begin.is_exact & end.is_exact & (sin_w > smallest_half_width) &
+                         (middle.cosine * m.cosine + middle.sine * m.sine > 0.0) &
+                         (f.proof(middle, cos_w) > proof_margin * size);
+  return {begin.at, end.at, is_proved};
 }
 
 inline void look_at_pair(Columns& columns, int k) {

@@ -3,7 +3,8 @@
 // Rows that are left as text and read later, in threads: the same frames, the same messages, in the
 // same order as when every row is read at once.
 #include "../../postprocess/fuzz/fuzz_case.h"
-#include "frame_options.h"
+#include "frame_loop.h"
+#include "messages.h"
 
 #include <cstdio>
 #include <fmt/format.h>
