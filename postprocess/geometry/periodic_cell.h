@@ -1,0 +1,57 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// The simulation box as a cell that repeats: shortest distances, images, distances of its planes.
+#pragma once
+
+#include "frame.h"
+#include "math/vector3.h"
+
+#include <array>
+#include <vector>
+
+namespace ellipsoid::post {
+
+/// A parallelepiped that repeats along some of its edges.
+class PeriodicCell {
+ public:
+  PeriodicCell() = default; ///< repeats nowhere
+  /// @param[in] corner, edges (length); edges that repeat must span a volume
+  PeriodicCell(const Vector3& corner, const std::array<Vector3, 3>& edges,
+               const std::array<bool, 3>& is_periodic);
+  /// The box of a frame; it repeats where both sides of an axis are "p".
+  explicit PeriodicCell(const Box& box);
+
+  const Vector3& corner() const { return m_corner; }
+  const Vector3& edge(std::size_t k) const { return m_edges[k]; }
+  bool is_periodic(std::size_t k) const { return m_is_periodic[k]; }
+  bool is_periodic() const { return m_is_periodic[0] || m_is_periodic[1] || m_is_periodic[2]; }
+  /// Whether edges are not along x, y, z.
+  bool is_tilted() const;
+  double volume() const; ///< (length^3)
+  /// Distance of the two planes that the edge k connects (length).
+  double thickness(std::size_t k) const;
+
+  /// Shares of the edges: 0 to 1 inside the cell.
+  Vector3 fractions(const Vector3& point) const;
+  /// The image of a point that lies in the cell, along the edges that repeat.
+  Vector3 wrapped(const Vector3& point) const;
+  /// The shortest of all images of a distance.
+  Vector3 nearest(const Vector3& distance) const;
+
+  /// Shifts from the cell to its images whose planes are not farther than `reach` from the cell's
+  /// (length); the first one is zero.
+  std::vector<Vector3> shifts(double reach) const;
+
+ private:
+  void prepare();
+
+  Vector3 m_corner;
+  std::array<Vector3, 3> m_edges{Vector3{1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 0.0},
+                                 Vector3{0.0, 0.0, 1.0}};
+  std::array<bool, 3> m_is_periodic{false, false, false};
+  std::array<Vector3, 3> m_reciprocal{Vector3{1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 0.0},
+                                      Vector3{0.0, 0.0, 1.0}}; ///< fractions = reciprocal . point
+  std::vector<Vector3> m_neighbours; ///< shifts to the images around a tilted cell
+};
+
+} // namespace ellipsoid::post
