@@ -2,7 +2,6 @@
 #include "fix_wall_gran_ellipsoid.h"
 
 #include "atom.h"
-#include "ellipsoid/ellipsoid_contact.h"
 #include "ellipsoid_host.h"
 #include "ellipsoid_models.h"
 #include "error.h"
@@ -18,9 +17,9 @@
 
 using namespace LAMMPS_NS;
 using ellipsoid::Vector3;
+using ellipsoid::WallContact;
 using ellipsoid_host::store;
 using ellipsoid_host::vector;
-using ellipsoid_host::WallContact;
 using ellipsoid_host::WallMeshes;
 
 namespace {
@@ -75,20 +74,24 @@ char** checked(LAMMPS* lmp, int narg, char** arg) {
 } // namespace
 
 FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg)
-    : FixWallGran(lmp, narg, checked(lmp, narg, arg)), particles_(lmp), meshes_(lmp) {
-  multisphere_ = impl->contact_match("surface", "multisphere");
-  if (!multisphere_ && !impl->contact_match("surface", "smooth"))
+    : FixWallGran(lmp, narg, checked(lmp, narg, arg)), meshes_(lmp) {
+  const bool multisphere = impl->contact_match("surface", "multisphere");
+  if (!multisphere && !impl->contact_match("surface", "smooth"))
     error->fix_error(FLERR, this,
                      "needs 'surface smooth' or 'surface multisphere' among the models; add it");
   const std::string complaint = LCM::unsuitable_model(*impl) + LCM::unsuitable_setting(narg, arg);
   if (!complaint.empty())
     error->fix_error(FLERR, this, complaint.c_str());
-  if (multisphere_)
+  read_cylinder(narg, arg);
+  if (multisphere) {
+    choose_finder<ellipsoid_host::SphereChains>();
     rule_ = impl->get_history_offset("multicontact") ? ellipsoid::MulticontactRule::average
                                                      : ellipsoid::MulticontactRule::sum;
-  read_cylinder(narg, arg);
+  } else {
+    choose_finder<ellipsoid_host::SmoothEllipsoids>();
+  }
   const int at_primitive = cylinder_axis_ >= 0 ? 2 : 1; // tips of a smooth ellipsoid
-  const bool many = multisphere_ || is_mesh_wall();
+  const bool many = multisphere || is_mesh_wall();
   history_.set_size(many ? impl->get_history_offset("contacts") : at_primitive, dnum());
 }
 
@@ -108,6 +111,18 @@ void FixWallGranEllipsoid::read_cylinder(int narg, char** arg) {
   cylinder_radius_ = reader.positive(shape);
   for (const int k : {1, 2}) // the host's order: y z, z x, x y
     cylinder_centre_[(cylinder_axis_ + k) % 3] = reader.number(shape, -HUGE_VAL, HUGE_VAL);
+}
+
+/// @tparam Bodies what the particles are: SmoothEllipsoids or SphereChains
+template <class Bodies> void FixWallGranEllipsoid::choose_finder() {
+  using namespace ellipsoid_host;
+  if (is_mesh_wall())
+    finder_.reset(new MeshContactFinder<Bodies>(lmp, meshes_));
+  else if (cylinder_axis_ >= 0)
+    finder_.reset(new CylinderContactFinder<Bodies>(lmp, cylinder_axis_, cylinder_radius_,
+                                                    vector(cylinder_centre_)));
+  else
+    finder_.reset(new PlaneContactFinder<Bodies>(lmp, *primitiveWall_));
 }
 
 void FixWallGranEllipsoid::post_create() {
@@ -135,36 +150,23 @@ void FixWallGranEllipsoid::init() {
 }
 
 void FixWallGranEllipsoid::post_force_primitive(int) {
-  if (multisphere_)
-    particles_.find_properties();
+  finder_->begin_step();
   int* near;
   const int near_count = primitiveWall_->getNeighbors(near);
-  for (int k = 0; k < near_count; ++k) {
-    const int i = near[k];
-    if (!(atom->mask[i] & groupbit))
-      continue;
-    contacts_.clear();
-    if (cylinder_axis_ >= 0)
-      find_cylinder_contacts_of(i);
-    else
-      find_plane_contacts_of(i);
-    for (WallContact& c : contacts_)
-      c.wall_velocity = primitive_velocity(vector(x_[i]) + c.point);
-    treat_contacts(i);
-  }
+  for (int k = 0; k < near_count; ++k)
+    if (atom->mask[near[k]] & groupbit)
+      find_and_apply_contacts(near[k]);
 }
 
 void FixWallGranEllipsoid::post_force_mesh(int) {
-  if (multisphere_)
-    particles_.find_properties();
+  finder_->begin_step();
   for (int m = 0; m < n_FixMesh_; ++m)
     FixMesh_list_[m]->contactHistory()->markAllContacts();
   if (dnum() > 0)
     is_near_.assign(static_cast<std::size_t>(atom->nlocal), 0);
   meshes_.collect(FixMesh_list_, n_FixMesh_, groupbit);
   meshes_.for_each_particle([this](int i) {
-    find_mesh_contacts_of(i);
-    treat_contacts(i);
+    find_and_apply_contacts(i);
     if (dnum() > 0)
       is_near_[static_cast<std::size_t>(i)] = 1;
   });
@@ -178,104 +180,6 @@ void FixWallGranEllipsoid::forget_far_contacts() {
   for (std::size_t i = 0; i < is_near_.size(); ++i)
     if (!is_near_[i])
       history_.forget(fix_history_primitive_->array_atom[i]);
-}
-
-/// The plane nearest to the particle's centre; false if it is out of reach.
-bool FixWallGranEllipsoid::find_plane(int i, Vector3& point, Vector3& normal) {
-  double to_wall[3];
-  const double distance = primitiveWall_->resolveContact(x_[i], 0.0, to_wall);
-  if (!(distance <= radius_[i] && distance > 0.0))
-    return false;
-  point = vector(to_wall);
-  normal = (1.0 / distance) * point;
-  return true;
-}
-
-void FixWallGranEllipsoid::find_plane_contacts_of(int i) {
-  Vector3 point, normal;
-  if (!find_plane(i, point, normal))
-    return;
-  if (multisphere_) {
-    find_plane_contacts(particles_.make_pose(i), point, normal, sphere_contacts_);
-    for (const ellipsoid::SphereContact& c : sphere_contacts_)
-      add_contact(c);
-    return;
-  }
-  const Vector3 semiaxes = vector(atom->shape[i]);
-  const ellipsoid::Quaternion orientation = ellipsoid_host::quaternion(atom->quaternion[i]);
-  if (!may_touch_plane(semiaxes, orientation, normal, dot(normal, point)))
-    return;
-  const ellipsoid::ContactGeometry contact =
-      find_plane_contact(ellipsoid::make_shape(semiaxes, orientation), point, normal);
-  if (contact.status != ellipsoid::ContactStatus::separated)
-    add_contact(contact);
-}
-
-void FixWallGranEllipsoid::find_cylinder_contacts_of(int i) {
-  ellipsoid::Cylinder cylinder;
-  const double axis[3] = {cylinder_axis_ == 0 ? 1.0 : 0.0, cylinder_axis_ == 1 ? 1.0 : 0.0,
-                          cylinder_axis_ == 2 ? 1.0 : 0.0};
-  cylinder.axis = vector(axis);
-  cylinder.radius = cylinder_radius_;
-  cylinder.centre = vector(cylinder_centre_) - vector(x_[i]);
-  const Vector3 to_axis = cylinder.centre - dot(cylinder.centre, cylinder.axis) * cylinder.axis;
-  if (std::fabs(norm(to_axis) - cylinder.radius) > radius_[i])
-    return;
-  if (multisphere_) {
-    find_cylinder_contacts(particles_.make_pose(i), cylinder, sphere_contacts_);
-    for (const ellipsoid::SphereContact& c : sphere_contacts_)
-      add_contact(c);
-    return;
-  }
-  const ellipsoid::CylinderContacts found =
-      find_cylinder_contacts(ellipsoid::make_shape(vector(atom->shape[i]),
-                                                   ellipsoid_host::quaternion(atom->quaternion[i])),
-                             cylinder);
-  for (int k = 0; k < found.count; ++k)
-    add_contact(found.contact[static_cast<std::size_t>(k)]);
-}
-
-void FixWallGranEllipsoid::find_mesh_contacts_of(int i) {
-  contacts_.clear();
-  const auto same_surface = [this](int a, int b) { return meshes_.same_surface(a, b); };
-  if (multisphere_)
-    find_mesh_contacts(particles_.make_pose(i), meshes_.triangles(), same_surface,
-                       triangle_contacts_);
-  else
-    find_mesh_contacts(ellipsoid::EllipsoidBody(vector(atom->shape[i]),
-                                                ellipsoid_host::quaternion(atom->quaternion[i])),
-                       meshes_.triangles(), same_surface, triangle_contacts_);
-  for (const ellipsoid::TriangleContact& found : triangle_contacts_) {
-    WallContact c;
-    c.normal = found.normal;
-    c.point = found.point;
-    c.overlap = found.overlap;
-    c.reduced_radius = found.radius;
-    c.part = found.sphere;
-    c.place = found.triangle;
-    c.triangle = meshes_.near(c.place).code();
-    c.wall_velocity = meshes_.velocity(c.place, found.foot);
-    contacts_.push_back(c);
-  }
-}
-
-void FixWallGranEllipsoid::add_contact(const ellipsoid::ContactGeometry& found) {
-  WallContact c;
-  c.normal = found.normal;
-  c.point = found.point;
-  c.overlap = found.overlap;
-  c.reduced_radius = found.reduced_radius;
-  contacts_.push_back(c);
-}
-
-void FixWallGranEllipsoid::add_contact(const ellipsoid::SphereContact& found) {
-  WallContact c;
-  c.normal = found.normal;
-  c.point = found.point;
-  c.overlap = found.overlap;
-  c.reduced_radius = found.reduced_radius;
-  c.part = found.sphere_i;
-  contacts_.push_back(c);
 }
 
 /// Of the wall's surface at a place in space. A cylinder that is not shifted along its axis turns
@@ -292,22 +196,25 @@ Vector3 FixWallGranEllipsoid::primitive_velocity(const Vector3& place) const {
   return cross(vector(velocity), place - vector(cylinder_centre_));
 }
 
-void FixWallGranEllipsoid::treat_contacts(int i) {
-  double* row = nullptr;
-  if (dnum() > 0) {
-    if (static_cast<int>(contacts_.size()) > history_.slots())
-      error->one(FLERR, ("Fix wall/gran/ellipsoid (id " + std::string(id) + "): atom " +
-                         std::to_string(atom->tag[i]) + " touches at " +
-                         std::to_string(contacts_.size()) + " places, setting 'contacts' allows " +
-                         std::to_string(history_.slots()) + "; raise it")
-                            .c_str());
-    row = fix_history_primitive_->array_atom[i];
-    history_.assign(contacts_, row,
-                    [this](double code, int place) { return meshes_.adjoining(code, place); });
-  }
+void FixWallGranEllipsoid::find_and_apply_contacts(int i) {
+  finder_->find(i, contacts_);
+  double* row = dnum() > 0 ? take_history(i) : nullptr;
   const double weight = multicontact_weight(rule_, std::max(1, static_cast<int>(contacts_.size())));
   for (std::size_t k = 0; k < contacts_.size(); ++k)
     apply(i, contacts_[k], row ? history_.values(row, k) : nullptr, weight);
+}
+
+/// Gives the contacts their former values; returns the particle's row of the history.
+double* FixWallGranEllipsoid::take_history(int i) {
+  if (static_cast<int>(contacts_.size()) > history_.slots())
+    error->one(FLERR, ("Fix wall/gran/ellipsoid (id " + std::string(id) + "): atom " +
+                       std::to_string(atom->tag[i]) + " touches at " +
+                       std::to_string(contacts_.size()) + " places, setting 'contacts' allows " +
+                       std::to_string(history_.slots()) + "; raise it")
+                          .c_str());
+  double* row = fix_history_primitive_->array_atom[i];
+  history_.assign(contacts_, row, meshes_);
+  return row;
 }
 
 /// @param[in] weight of the force in the sum
@@ -322,19 +229,20 @@ void FixWallGranEllipsoid::apply(int i, const WallContact& contact, double* hist
   data.reff = data.radi = curvature_radius_i = contact.reduced_radius;
   store(vector(x_[i]) + contact.point, data.contact_point);
   store(-contact.normal, data.delta); // the host's normal: from the wall to the particle
-  double wall_velocity[3];
-  store(contact.wall_velocity, wall_velocity);
   FixMeshSurface* mesh = nullptr;
-  if (contact.place >= 0) {
-    mesh = FixMesh_list_[meshes_.near(contact.place).mesh];
+  if (contact.triangle >= 0) {
+    mesh = FixMesh_list_[meshes_.near(contact.triangle).mesh];
     prepare_for_mesh(i, contact, mesh, data);
   }
-  if (multisphere_)
-    set_spheres(contact.part, -1, weight);
+  double wall_velocity[3];
+  store(mesh ? meshes_.velocity(contact.triangle, contact.foot)
+             : primitive_velocity(vector(x_[i]) + contact.point),
+        wall_velocity);
+  set_spheres(contact.sphere, -1, weight);
   const Vector3 force = vector(f_[i]), torque = vector(atom->torque[i]);
-  impl->compute_force(this, data, true, wall_velocity, nullptr,
-                      mesh ? meshes_.near(contact.place).mesh : 0, mesh ? mesh->triMesh() : nullptr,
-                      mesh ? meshes_.near(contact.place).index : 0);
+  impl->compute_force(
+      this, data, true, wall_velocity, nullptr, mesh ? meshes_.near(contact.triangle).mesh : 0,
+      mesh ? mesh->triMesh() : nullptr, mesh ? meshes_.near(contact.triangle).index : 0);
   if (weight != 1.0)
     weigh(i, force, torque, weight);
   if (mesh && computeflag_)
@@ -350,7 +258,7 @@ void FixWallGranEllipsoid::prepare_for_mesh(int i, const WallContact& contact, F
   fix_wallforce_contact_ = mesh->meshforceContact();
   fix_wallforce_contact_stress_ = mesh->meshforceContactStress();
   double* unused = nullptr;
-  mesh->contactHistory()->handleContact(i, meshes_.near(contact.place).id, unused, true, false);
+  mesh->contactHistory()->handleContact(i, meshes_.near(contact.triangle).id, unused, true, false);
 }
 
 void FixWallGranEllipsoid::weigh(int i, const Vector3& force, const Vector3& torque,
@@ -365,7 +273,7 @@ void FixWallGranEllipsoid::weigh(int i, const Vector3& force, const Vector3& tor
 /// Force and torque on the mesh, stress and wear of the triangle, drive of servo walls.
 void FixWallGranEllipsoid::report_to_mesh(int i, const WallContact& contact, const Vector3& force,
                                           double* wall_velocity) {
-  const WallMeshes::NearTriangle& triangle = meshes_.near(contact.place);
+  const WallMeshes::NearTriangle& triangle = meshes_.near(contact.triangle);
   double force_on_particle[3], lever[3];
   store(force, force_on_particle);
   store(contact.point, lever);

@@ -11,12 +11,12 @@ FixStyle(wall/gran/ellipsoid,FixWallGranEllipsoid)
 
 #include "ellipsoid_contact_caller.h"
 #include "fix_wall_gran.h"
-#include "multisphere_particles.h"
 #include "update.h"
-#include "wall/cylinder_contact.h"
-#include "wall_contact.h"
+#include "wall_contact_finder.h"
+#include "wall_history.h"
 #include "wall_meshes.h"
 
+#include <memory>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -39,35 +39,27 @@ class FixWallGranEllipsoid : public FixWallGran,
   void post_force_mesh(int vflag) override;
 
  private:
-  bool multisphere_ = false;
   int cylinder_axis_ = -1; // 0, 1, 2; -1: plane, or mesh
   double cylinder_radius_ = 0.0, cylinder_centre_[3] = {0.0, 0.0, 0.0};
   ellipsoid::MulticontactRule rule_ = ellipsoid::MulticontactRule::sum;
-  ellipsoid_host::MultisphereParticles particles_; // for surface multisphere
   ellipsoid_host::WallMeshes meshes_;
   ellipsoid_host::WallHistory history_;
-  std::vector<ellipsoid_host::WallContact> contacts_; // of one particle with the wall
-  std::vector<ellipsoid::SphereContact> sphere_contacts_;
-  std::vector<ellipsoid::TriangleContact> triangle_contacts_;
-  std::vector<char> is_near_; // per owned particle: has near triangles
+  std::unique_ptr<ellipsoid_host::WallContactFinder> finder_;
+  std::vector<ellipsoid::WallContact> contacts_; // of one particle with the wall
+  std::vector<char> is_near_;                    // per owned particle: has near triangles
 
   void read_cylinder(int narg, char** arg);
-  bool find_plane(int particle, ellipsoid::Vector3& point, ellipsoid::Vector3& normal);
-  void find_plane_contacts_of(int particle);
-  void find_cylinder_contacts_of(int particle);
-  void find_mesh_contacts_of(int particle);
+  template <class Bodies> void choose_finder();
   void forget_far_contacts();
   ellipsoid::Vector3 primitive_velocity(const ellipsoid::Vector3& place) const;
-  void add_contact(const ellipsoid::ContactGeometry& contact);
-  void add_contact(const ellipsoid::SphereContact& contact);
-  void treat_contacts(int particle);
-  void apply(int particle, const ellipsoid_host::WallContact& contact, double* history,
-             double weight);
-  void prepare_for_mesh(int particle, const ellipsoid_host::WallContact& contact,
-                        FixMeshSurface* mesh, LCM::SurfacesIntersectData& data);
+  void find_and_apply_contacts(int particle);
+  double* take_history(int particle);
+  void apply(int particle, const ellipsoid::WallContact& contact, double* history, double weight);
+  void prepare_for_mesh(int particle, const ellipsoid::WallContact& contact, FixMeshSurface* mesh,
+                        LCM::SurfacesIntersectData& data);
   void weigh(int particle, const ellipsoid::Vector3& force, const ellipsoid::Vector3& torque,
              double weight);
-  void report_to_mesh(int particle, const ellipsoid_host::WallContact& contact,
+  void report_to_mesh(int particle, const ellipsoid::WallContact& contact,
                       const ellipsoid::Vector3& force, double* wall_velocity);
 };
 

@@ -86,30 +86,30 @@ std::size_t WallMeshes::select(std::size_t first) {
   return first;
 }
 
-bool WallMeshes::same_surface(int first_place, int second_place) const {
-  const NearTriangle &a = near(first_place), &b = near(second_place);
+bool WallMeshes::same_surface(int first, int second) const {
+  const NearTriangle &a = near(first), &b = near(second);
   return a.mesh == b.mesh && a.id != b.id &&
          meshes_[a.mesh]->triMesh()->areCoplanarNodeNeighs(a.id, b.id);
 }
 
-Vector3 WallMeshes::velocity(int place, const Vector3& point) const {
-  const NearTriangle& pair = near(place);
+Vector3 WallMeshes::velocity(int triangle, const Vector3& point) const {
+  const NearTriangle& pair = near(triangle);
   auto* velocities =
       meshes_[pair.mesh]->triMesh()->prop().getElementProperty<MultiVectorContainer<double, 3, 3>>(
           "v");
   if (!velocities)
     return {};
   double** v = velocities->begin()[pair.index];
-  const Vector3 weights = barycentric(triangles_[static_cast<std::size_t>(place)], point);
+  const Vector3 weights = barycentric(triangles_[static_cast<std::size_t>(triangle)], point);
   return weights.x * vector(v[0]) + weights.y * vector(v[1]) + weights.z * vector(v[2]);
 }
 
-bool WallMeshes::adjoining(double code, int place) const {
-  const ellipsoid::Triangle& other = triangles_[static_cast<std::size_t>(place)];
+bool WallMeshes::adjoining(double former, int triangle) const {
+  const ellipsoid::Triangle& other = triangles_[static_cast<std::size_t>(triangle)];
   const double margin =
       ellipsoid::wall_tolerance::shared_point * atom->radius[near_.front().particle];
   for (std::size_t k = 0; k < near_.size(); ++k)
-    if (near_[k].code() == code && adjoin(triangles_[k], other, margin))
+    if (code(static_cast<int>(k)) == former && adjoin(triangles_[k], other, margin))
       return true;
   return false;
 }

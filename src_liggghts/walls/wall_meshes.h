@@ -24,8 +24,6 @@ class WallMeshes : private LAMMPS_NS::Pointers {
     int mesh = 0;  ///< number in the list of meshes
     int index = 0; ///< on this rank
     int id = 0;    ///< the same on all ranks
-    /// Tells triangles of all meshes apart; not 0.
-    double code() const { return 1.0 + id + 4294967296.0 * mesh; }
   };
 
   /// Finds all near pairs of triangles and owned particles of a group, from the host's lists.
@@ -39,14 +37,19 @@ class WallMeshes : private LAMMPS_NS::Pointers {
     }
   }
 
-  const NearTriangle& near(int place) const { return near_[static_cast<std::size_t>(place)]; }
+  /// Of the particle's near triangles, by their index in triangles().
+  const NearTriangle& near(int triangle) const { return near_[static_cast<std::size_t>(triangle)]; }
+  /// Tells triangles of all meshes apart; 0 for what is no triangle (index -1).
+  double code(int triangle) const {
+    return triangle < 0 ? 0.0 : 1.0 + near(triangle).id + 4294967296.0 * near(triangle).mesh;
+  }
   const std::vector<ellipsoid::Triangle>& triangles() const { return triangles_; }
   /// For find_mesh_contacts(): the meshes' own angle `curvature` decides.
-  bool same_surface(int first_place, int second_place) const;
+  bool same_surface(int first, int second) const;
   /// Velocity of a point of a near triangle.
-  ellipsoid::Vector3 velocity(int place, const ellipsoid::Vector3& point) const;
+  ellipsoid::Vector3 velocity(int triangle, const ellipsoid::Vector3& point) const;
   /// For WallHistory: whether the triangle of that code is near and shares a corner with the other.
-  bool adjoining(double code, int place) const;
+  bool adjoining(double code, int triangle) const;
 
  private:
   LAMMPS_NS::FixMeshSurface** meshes_ = nullptr;

@@ -54,6 +54,16 @@ Cylinder random_cylinder(PairGenerator& random, double radius, double distance) 
   return c;
 }
 
+std::vector<WallContact> solve(const EllipsoidBody& body, const Cylinder& cylinder) {
+  std::vector<WallContact> contacts(3); // to be cleared
+  find_cylinder_contacts(body, cylinder, contacts);
+  return contacts;
+}
+
+std::vector<WallContact> solve(const Body& body, const Cylinder& cylinder) {
+  return solve(EllipsoidBody(body.semiaxes, body.orientation), cylinder);
+}
+
 Cylinder moved(Cylinder c, const Vector3& way) {
   c.centre += way;
   return c;
@@ -73,16 +83,16 @@ TEST_P(CylinderFamily, DeepestPointInside) {
     const Body body = random.body(GetParam(), 1.0, 5.0);
     const double radius = largest(body.semiaxes) * random.uniform(0.7, 3.0);
     const Cylinder cylinder = random_cylinder(random, radius, random.uniform(0.0, 0.99) * radius);
-    const CylinderContacts c = find_cylinder_contacts(body.shape, cylinder);
+    const std::vector<WallContact> c = solve(body, cylinder);
     const double overlap = Brute(body, cylinder).extreme(1.0, random) - radius;
     if (std::fabs(overlap) < 1e-8)
       continue;
-    ASSERT_EQ(c.count > 0, overlap > 0.0) << "pose " << k;
-    if (c.count == 0)
+    ASSERT_EQ(!c.empty(), overlap > 0.0) << "pose " << k;
+    if (c.empty())
       continue;
     ++touching;
-    ASSERT_GT(c.contact[0].overlap, overlap - 1e-12);
-    worst = std::max(worst, c.contact[0].overlap - overlap);
+    ASSERT_GT(c[0].overlap, overlap - 1e-12);
+    worst = std::max(worst, c[0].overlap - overlap);
   }
   std::printf("%d touching, worst %.1e\n", touching, worst);
   EXPECT_GT(touching, 40);
@@ -98,15 +108,15 @@ TEST_P(CylinderFamily, DeepestPointOutside) {
     const double radius = random.log_uniform(0.1, 10.0);
     const Cylinder cylinder = random_cylinder(
         random, radius, radius + random.uniform(0.01, 1.5) * largest(body.semiaxes));
-    const CylinderContacts c = find_cylinder_contacts(body.shape, cylinder);
+    const std::vector<WallContact> c = solve(body, cylinder);
     const double overlap = radius - Brute(body, cylinder).extreme(-1.0, random);
     if (std::fabs(overlap) < 1e-8 || overlap > 0.99 * radius) // brute force has no signed distance
       continue;
-    ASSERT_EQ(c.count, overlap > 0.0 ? 1 : 0) << "pose " << k;
-    if (c.count == 0)
+    ASSERT_EQ(c.size(), overlap > 0.0 ? 1u : 0u) << "pose " << k;
+    if (c.empty())
       continue;
     ++touching;
-    worst = std::max(worst, std::fabs(c.contact[0].overlap - overlap));
+    worst = std::max(worst, std::fabs(c[0].overlap - overlap));
   }
   std::printf("%d touching, worst %.1e\n", touching, worst);
   EXPECT_GT(touching, 20);
@@ -125,18 +135,16 @@ TEST_P(CylinderFamily, GradientOfTheOverlapIsTheNormal) {
         random_cylinder(random, radius,
                         inside ? random.uniform(0.0, 0.8) * radius
                                : radius + random.uniform(0.4, 0.9) * body.smallest_axis());
-    const CylinderContacts c = find_cylinder_contacts(body.shape, cylinder);
-    pairs += c.count == 2;
+    const std::vector<WallContact> c = solve(body, cylinder);
+    pairs += c.size() == 2;
     const double step = 1e-6;
     const Vector3 way = random.direction();
-    const CylinderContacts more = find_cylinder_contacts(body.shape, moved(cylinder, step * way));
-    const CylinderContacts less = find_cylinder_contacts(body.shape, moved(cylinder, -step * way));
-    if (more.count != c.count || less.count != c.count)
+    const std::vector<WallContact> more = solve(body, moved(cylinder, step * way));
+    const std::vector<WallContact> less = solve(body, moved(cylinder, -step * way));
+    if (more.size() != c.size() || less.size() != c.size())
       continue; // just touching
-    for (int m = 0; m < c.count; ++m) {
-      const auto index = static_cast<std::size_t>(m);
-      const ContactGeometry &g = c.contact[index], &a = more.contact[index],
-                            &b = less.contact[index];
+    for (std::size_t m = 0; m < c.size(); ++m) {
+      const WallContact &g = c[m], &a = more[m], &b = less[m];
       if (norm(a.normal - g.normal) + norm(b.normal - g.normal) > 1e-3)
         continue; // nearly of equal depth, and exchanged
       ASSERT_NEAR((a.overlap - b.overlap) / (2.0 * step), -dot(g.normal, way), 1e-5)
@@ -162,12 +170,12 @@ TEST_P(CylinderFamily, AWideCylinderIsAPlane) {
     const double distance = 0.95 * support(body.shape, outward);
     const double sign = k % 2 ? 1.0 : -1.0; // inside, outside
     cylinder.centre = (distance - sign * wide) * outward;
-    const CylinderContacts c = find_cylinder_contacts(body.shape, cylinder);
+    const std::vector<WallContact> c = solve(body, cylinder);
     const ContactGeometry plane = find_plane_contact(body.shape, distance * outward, outward);
-    ASSERT_EQ(c.count, 1);
-    ASSERT_NEAR(c.contact[0].overlap, plane.overlap, 1e-6);
-    ASSERT_LT(norm(c.contact[0].normal - plane.normal), 1e-6);
-    ASSERT_NEAR(c.contact[0].reduced_radius / plane.reduced_radius, 1.0, 1e-6);
+    ASSERT_EQ(c.size(), 1u);
+    ASSERT_NEAR(c[0].overlap, plane.overlap, 1e-6);
+    ASSERT_LT(norm(c[0].normal - plane.normal), 1e-6);
+    ASSERT_NEAR(c[0].reduced_radius / plane.reduced_radius, 1.0, 1e-6);
   }
 }
 
@@ -188,50 +196,46 @@ TEST(CylinderContact, Sphere) {
     const double overlap = random.uniform(0.001, 0.5) * r;
     const double distance = inside ? wall - r + overlap : wall + r - overlap;
     const Cylinder cylinder = random_cylinder(random, wall, distance);
-    const EllipsoidShape shape = make_shape({r, r, r}, random.orientation());
-    const CylinderContacts c = find_cylinder_contacts(shape, cylinder);
-    ASSERT_EQ(c.count, 1);
-    ASSERT_NEAR(c.contact[0].overlap, overlap, 1e-12 * wall);
+    const EllipsoidBody body({r, r, r}, random.orientation());
+    const std::vector<WallContact> c = solve(body, cylinder);
+    ASSERT_EQ(c.size(), 1u);
+    ASSERT_NEAR(c[0].overlap, overlap, 1e-12 * wall);
     const double curvature = 1.0 / r + (inside ? -1.0 : 1.0) / wall;
-    ASSERT_NEAR(c.contact[0].reduced_radius, 1.0 / std::sqrt(curvature / r),
-                1e-6 * c.contact[0].reduced_radius);
+    ASSERT_NEAR(c[0].reduced_radius, 1.0 / std::sqrt(curvature / r), 1e-6 * c[0].reduced_radius);
     ChainPose pose;
     pose.chain = &chain;
     pose.scale = r;
     pose.axis = random.direction();
-    std::vector<SphereContact> spheres;
+    std::vector<WallContact> spheres;
     find_cylinder_contacts(pose, cylinder, spheres);
     ASSERT_EQ(spheres.size(), 1u);
-    ASSERT_NEAR(spheres[0].overlap, c.contact[0].overlap, 1e-12 * wall);
-    ASSERT_LT(norm(spheres[0].point - c.contact[0].point), 1e-10 * wall);
-    ASSERT_LT(norm(spheres[0].normal - c.contact[0].normal), 1e-10);
-    ASSERT_NEAR(spheres[0].reduced_radius, c.contact[0].reduced_radius,
-                1e-12 * spheres[0].reduced_radius);
+    ASSERT_NEAR(spheres[0].overlap, c[0].overlap, 1e-12 * wall);
+    ASSERT_LT(norm(spheres[0].point - c[0].point), 1e-10 * wall);
+    ASSERT_LT(norm(spheres[0].normal - c[0].normal), 1e-10);
+    ASSERT_NEAR(spheres[0].reduced_radius, c[0].reduced_radius, 1e-12 * spheres[0].reduced_radius);
   }
 }
 
 // A long body across a tube touches with both tips, also exactly in the middle.
 TEST(CylinderContact, BothTips) {
   for (const double offset : {0.0, 1e-14, 1e-3, 0.04}) {
-    const EllipsoidShape shape = make_shape({5.0, 1.0, 1.0}, {});
-    const CylinderContacts c =
-        find_cylinder_contacts(shape, {{offset, 0.0, 7.0}, {0.0, 0.0, 1.0}, 4.9});
-    ASSERT_EQ(c.count, 2) << offset;
-    EXPECT_NEAR(c.contact[0].overlap, 0.1 + offset, 1e-14);
-    EXPECT_NEAR(c.contact[1].overlap, 0.1 - offset, 1e-14);
-    EXPECT_NEAR(std::fabs(c.contact[1].normal.x), 1.0, 1e-14);
+    const EllipsoidBody body({5.0, 1.0, 1.0}, {});
+    const std::vector<WallContact> c = solve(body, {{offset, 0.0, 7.0}, {0.0, 0.0, 1.0}, 4.9});
+    ASSERT_EQ(c.size(), 2u) << offset;
+    EXPECT_NEAR(c[0].overlap, 0.1 + offset, 1e-14);
+    EXPECT_NEAR(c[1].overlap, 0.1 - offset, 1e-14);
+    EXPECT_NEAR(std::fabs(c[1].normal.x), 1.0, 1e-14);
   }
   // beside the middle: the tips by hand, normals from the axis
-  const EllipsoidShape shape = make_shape({5.0, 1.0, 1.0}, {});
-  const CylinderContacts c =
-      find_cylinder_contacts(shape, {{0.0, -3.0, 0.0}, {0.0, 0.0, 1.0}, 5.7});
-  ASSERT_EQ(c.count, 2);
+  const EllipsoidBody body({5.0, 1.0, 1.0}, {});
+  const std::vector<WallContact> c = solve(body, {{0.0, -3.0, 0.0}, {0.0, 0.0, 1.0}, 5.7});
+  ASSERT_EQ(c.size(), 2u);
   double farthest = 0.0;
   for (int k = 0; k <= 1000000; ++k) {
     const double angle = 0.5 * M_PI * k / 1e6;
     farthest = std::max(farthest, std::hypot(5.0 * std::cos(angle), 3.0 + std::sin(angle)));
   }
-  EXPECT_NEAR(c.contact[0].overlap, farthest - 5.7, 1e-10);
-  EXPECT_NEAR(c.contact[1].overlap, c.contact[0].overlap, 1e-14);
-  EXPECT_NEAR(c.contact[0].normal.x, -c.contact[1].normal.x, 1e-14);
+  EXPECT_NEAR(c[0].overlap, farthest - 5.7, 1e-10);
+  EXPECT_NEAR(c[1].overlap, c[0].overlap, 1e-14);
+  EXPECT_NEAR(c[0].normal.x, -c[1].normal.x, 1e-14);
 }

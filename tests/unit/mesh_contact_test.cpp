@@ -4,6 +4,7 @@
 // and the closed form of wedges, for ellipsoids and chains of spheres.
 #include "contact_families.h"
 #include "wall/mesh_contact.h"
+#include "wall/plane_contact.h"
 
 #include <gtest/gtest.h>
 
@@ -277,14 +278,14 @@ TEST(MeshContact, ChainOnAFloorOfTriangles) {
         node.z -= height;
     std::vector<TriangleContact> contacts;
     find_mesh_contacts(pose, mesh, never, contacts);
-    std::vector<SphereContact> expected;
-    find_plane_contacts(pose, {0.0, 0.0, -height}, {0.0, 0.0, -1.0}, expected);
+    std::vector<WallContact> expected;
+    find_plane_contacts(pose, {{0.0, 0.0, -height}, {0.0, 0.0, -1.0}}, expected);
     ASSERT_EQ(contacts.size(), expected.size()) << "pose " << k;
     for (std::size_t m = 0; m < contacts.size(); ++m) {
-      EXPECT_EQ(contacts[m].sphere, expected[m].sphere_i);
+      EXPECT_EQ(contacts[m].sphere, expected[m].sphere);
       EXPECT_NEAR(contacts[m].overlap, expected[m].overlap, 1e-14);
       EXPECT_LT(norm(contacts[m].point - expected[m].point), 1e-13);
-      EXPECT_EQ(contacts[m].radius, expected[m].radius_i);
+      EXPECT_EQ(contacts[m].reduced_radius, expected[m].reduced_radius);
     }
   }
 }

@@ -1,5 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "multisphere/multisphere_contact.h"
+#include "wall/plane_contact.h"
 
 #include <gtest/gtest.h>
 
@@ -339,7 +340,7 @@ TEST(MultisphereContact, EveryTemplateIsConcave) {
 TEST(MultisphereContact, PlaneAgainstEverySphere) {
   const SphereChain c = chain(2.35, 17);
   Poses poses;
-  std::vector<SphereContact> contacts;
+  std::vector<WallContact> contacts;
   for (int pose = 0; pose < 20000; ++pose) {
     const ChainPose i{&c, poses.direction(), poses.uniform(0.1, 10.0)};
     const Vector3 n = poses.direction();
@@ -350,8 +351,8 @@ TEST(MultisphereContact, PlaneAgainstEverySphere) {
         i.scale * (pose % 10 == 0 ? -1e-9 : std::pow(10.0, poses.uniform(-6., -0.3)));
     const Vector3 along = cross(n, poses.direction()); // any point of the plane will do
     const Vector3 point = (reach - depth) * n + 7.0 * along;
-    const int found = find_plane_contacts(i, point, n, contacts).contacts;
-    ASSERT_EQ(static_cast<std::size_t>(found), contacts.size());
+    find_plane_contacts(i, {point, n}, contacts);
+    const int found = static_cast<int>(contacts.size());
     EXPECT_EQ(found > 0, depth > 0.0);
     int expected = 0;
     for (int k = 0; k < c.count(); ++k) {
@@ -360,13 +361,14 @@ TEST(MultisphereContact, PlaneAgainstEverySphere) {
       if (overlap <= 1e-14 * i.scale)
         continue;
       ASSERT_LT(expected, found);
-      const SphereContact& contact = contacts[static_cast<std::size_t>(expected++)];
-      EXPECT_EQ(contact.sphere_i, k);
-      EXPECT_EQ(contact.sphere_j, -1);
+      const WallContact& contact = contacts[static_cast<std::size_t>(expected++)];
+      EXPECT_EQ(contact.sphere, k);
+      EXPECT_EQ(contact.triangle, -1);
       EXPECT_NEAR(contact.overlap, overlap, 1e-13 * i.scale);
       EXPECT_EQ(contact.reduced_radius, i.scale * c.radius(k));
       const Vector3 lowest = centre + (i.scale * c.radius(k)) * n;
       EXPECT_LE(norm(contact.point - (lowest - 0.5 * overlap * n)), 1e-13 * i.scale);
+      EXPECT_LE(norm(contact.foot - (lowest - overlap * n)), 1e-13 * i.scale);
     }
     EXPECT_EQ(expected, found);
   }

@@ -175,8 +175,9 @@ TEST_P(TriangleFamily, FindsTheKnownContact) {
     worst_foot = std::max(worst_foot, norm(c.foot - p.expected.foot) / p.size);
     ASSERT_LT(norm(c.point - (c.foot + (0.5 * c.overlap) * c.normal)), 1e-14 * p.size);
     const double s = support(p.body.shape, c.normal);
-    ASSERT_NEAR(c.radius, p.body.semiaxes.x * p.body.semiaxes.y * p.body.semiaxes.z / (s * s),
-                1e-12 * c.radius);
+    ASSERT_NEAR(c.reduced_radius,
+                p.body.semiaxes.x * p.body.semiaxes.y * p.body.semiaxes.z / (s * s),
+                1e-12 * c.reduced_radius);
   }
   std::printf("worst overlap %.1e, normal %.1e, foot %.1e\n", worst_overlap, worst_normal,
               worst_foot);
@@ -263,7 +264,7 @@ TEST(TriangleContact, FaceIsThePlane) {
     const ContactGeometry plane = find_plane_contact(p.body.shape, p.triangle[0], c.normal);
     EXPECT_EQ(c.overlap, plane.overlap);
     EXPECT_EQ(norm(c.point - plane.point), 0.0);
-    EXPECT_EQ(c.radius, plane.curvature_radius_i);
+    EXPECT_EQ(c.reduced_radius, plane.curvature_radius_i);
   }
 }
 

@@ -123,14 +123,6 @@ ContactCount find_contacts(const ChainPose& i, const ChainPose& j, const Vector3
                           [&](const SphereContact& contact) { contacts.push_back(contact); });
 }
 
-ContactCount find_plane_contacts(const ChainPose& i, const Vector3& plane_point,
-                                 const Vector3& plane_normal,
-                                 std::vector<SphereContact>& contacts) {
-  contacts.clear();
-  return for_each_plane_contact(i, plane_point, plane_normal,
-                                [&](const SphereContact& contact) { contacts.push_back(contact); });
-}
-
 double smallest_gap(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance) {
   const double half_i = i.scale * i.chain->half_length();
   const double half_j = j.scale * j.chain->half_length();

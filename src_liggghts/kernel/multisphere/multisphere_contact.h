@@ -1,9 +1,9 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Contacts between two chains of spheres on straight axes, and between a chain and a plane.
+// Contacts between two chains of spheres on straight axes.
 //
 // Conventions (those of ellipsoid_contact.h):
-//  - the normal n points from body i to body j, or into the wall;
+//  - the normal n points from body i to body j;
 //  - the overlap h = R_k + R_l - |c_l - c_k| is positive when spheres penetrate;
 //  - the contact point lies in the middle of the overlap, relative to the centre of i;
 //  - a pair of spheres touches when |c_l - c_k|^2 < (R_k + R_l)^2: nothing else is a contact.
@@ -73,13 +73,12 @@ struct ChainPose {
 };
 
 struct SphereContact {
-  int sphere_i = 0;
-  int sphere_j = 0; ///< -1 for a wall
-  Vector3 normal;   ///< unit, from i to j
-  Vector3 point;    ///< middle of the overlap, relative to the centre of i (length)
+  int sphere_i = 0, sphere_j = 0;
+  Vector3 normal; ///< unit, from i to j
+  Vector3 point;  ///< middle of the overlap, relative to the centre of i (length)
   double overlap = 0.0;
-  double reduced_radius = 0.0;           ///< R_k R_l / (R_k + R_l); R_k at a wall (length)
-  double radius_i = 0.0, radius_j = 0.0; ///< of the two spheres; radius_j = 0 at a wall (length)
+  double reduced_radius = 0.0;           ///< R_k R_l / (R_k + R_l) (length)
+  double radius_i = 0.0, radius_j = 0.0; ///< of the two spheres (length)
 };
 
 struct ContactCount {
@@ -288,39 +287,9 @@ ContactCount for_each_contact(const ChainPose& i, const ChainPose& j,
   return count;
 }
 
-/// Calls on_contact(const SphereContact&) for every sphere that overlaps the half space beyond the
-/// plane. No allocation.
-/// @param[in] plane_point a point of the plane, relative to the centre of i (length)
-/// @param[in] plane_normal unit, from the body into the wall
-template <class OnContact>
-ContactCount for_each_plane_contact(const ChainPose& i, const Vector3& plane_point,
-                                    const Vector3& plane_normal, OnContact&& on_contact) {
-  ContactCount count;
-  const SphereChain& chain = *i.chain;
-  const double distance = dot(plane_point, plane_normal);
-  const double slope = i.scale * dot(i.axis, plane_normal);
-  if (distance > (1.0 + search_rounding) *
-                     (std::fabs(slope) * chain.half_length() + i.scale * chain.largest_radius()))
-    return count;
-  for (int k = 0; k < chain.count(); ++k) {
-    ++count.tested;
-    const double radius = i.scale * chain.radius(k);
-    const double overlap = radius + slope * chain.centre(k) - distance;
-    if (!(overlap > 0.0))
-      continue;
-    ++count.contacts;
-    const Vector3 centre = (i.scale * chain.centre(k)) * i.axis;
-    on_contact(SphereContact{k, -1, plane_normal, centre + (radius - 0.5 * overlap) * plane_normal,
-                             overlap, radius, radius, 0.0});
-  }
-  return count;
-}
-
 /// The same, into a vector that is cleared first (it allocates only while its capacity grows).
 ContactCount find_contacts(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance,
                            std::vector<SphereContact>& contacts);
-ContactCount find_plane_contacts(const ChainPose& i, const Vector3& plane_point,
-                                 const Vector3& plane_normal, std::vector<SphereContact>& contacts);
 
 /// Lower bound of the distance between the two bodies: that of their capsules (axis segments with
 /// the largest radius). Positive: proof that no spheres touch (length). Negative values are good to

@@ -1,9 +1,10 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "wall/cylinder_contact.h"
 
+#include "wall/surface_points.h"
 #include "wall/wall_tolerances.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace ellipsoid {
 
@@ -26,42 +27,42 @@ double reduced_radius(double at_plane, double w, double wall_radius, Side side) 
   return at_plane / std::sqrt(factor);
 }
 
-ContactGeometry contact_along(const EllipsoidShape& body, const Cylinder& cylinder,
-                              const Vector3& to_axis, Side side, const Vector3& normal) {
+WallContact contact_along(const EllipsoidShape& body, const Cylinder& cylinder,
+                          const Vector3& to_axis, Side side, const Vector3& normal) {
   const double wall = side == Side::inside ? cylinder.radius : -cylinder.radius;
   const Vector3 wall_point = to_axis + wall * normal;
-  ContactGeometry c = find_plane_contact(body, wall_point, normal);
+  WallContact c = wall_contact(find_plane_contact(body, wall_point, normal));
   const Vector3 tangent = cross(cylinder.axis, normal), a_t = body.a_matrix * tangent;
   const double s = support(body, normal), a_nt = dot(normal, a_t) / s;
   const double w = (dot(tangent, a_t) - a_nt * a_nt) / s;
-  c.reduced_radius = reduced_radius(c.curvature_radius_i, w, cylinder.radius, side);
+  c.reduced_radius = reduced_radius(c.reduced_radius, w, cylinder.radius, side);
   return c;
 }
 
 } // namespace
 
-CylinderContacts find_cylinder_contacts(const EllipsoidShape& body, const Cylinder& cylinder) {
+void find_cylinder_contacts(const EllipsoidBody& body, const Cylinder& cylinder,
+                            std::vector<WallContact>& contacts) {
+  contacts.clear();
   const Vector3 to_axis = way_to_axis(cylinder);
   const Side side = side_of(cylinder, to_axis);
-  const Shadow shadow = shadow_along(body, cylinder.axis);
-  CylinderContacts result;
+  const Shadow shadow = shadow_along(body.shape, cylinder.axis);
   const auto add = [&](const Vector3& normal) {
-    const ContactGeometry c = contact_along(body, cylinder, to_axis, side, normal);
-    if (c.status == ContactStatus::touching)
-      result.contact[static_cast<std::size_t>(result.count++)] = c;
+    const WallContact c = contact_along(body.shape, cylinder, to_axis, side, normal);
+    if (c.overlap >= 0.0)
+      contacts.push_back(c);
   };
   if (side == Side::outside) {
     add(nearest_normal(shadow, to_axis));
-    return result;
+    return;
   }
   const FarthestNormals farthest = farthest_normals(shadow, to_axis);
   for (int k = 0; k < farthest.count; ++k)
     add(farthest.normal[static_cast<std::size_t>(k)]);
-  return result;
 }
 
 void find_cylinder_contacts(const ChainPose& pose, const Cylinder& cylinder,
-                            std::vector<SphereContact>& contacts) {
+                            std::vector<WallContact>& contacts) {
   contacts.clear();
   const Vector3 to_axis = way_to_axis(cylinder);
   const Side side = side_of(cylinder, to_axis);
@@ -75,10 +76,14 @@ void find_cylinder_contacts(const ChainPose& pose, const Cylinder& cylinder,
                                                 : radius + cylinder.radius - distance;
     if (!(overlap > 0.0 && distance > 0.0))
       continue;
-    const Vector3 normal = ((side == Side::inside ? 1.0 : -1.0) / distance) * from_axis;
-    const Vector3 point = place * pose.axis + (radius - 0.5 * overlap) * normal;
-    contacts.push_back({k, -1, normal, point, overlap,
-                        reduced_radius(radius, radius, cylinder.radius, side), radius, 0.0});
+    WallContact c;
+    c.normal = ((side == Side::inside ? 1.0 : -1.0) / distance) * from_axis;
+    c.foot = place * pose.axis + (radius - overlap) * c.normal;
+    c.point = place * pose.axis + (radius - 0.5 * overlap) * c.normal;
+    c.overlap = overlap;
+    c.reduced_radius = reduced_radius(radius, radius, cylinder.radius, side);
+    c.sphere = k;
+    contacts.push_back(c);
   }
 }
 

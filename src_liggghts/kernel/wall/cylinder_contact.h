@@ -17,9 +17,9 @@
 #pragma once
 
 #include "multisphere/multisphere_contact.h"
-#include "wall/surface_points.h"
+#include "wall/wall_contact.h"
 
-#include <array>
+#include <vector>
 
 namespace ellipsoid {
 
@@ -29,15 +29,12 @@ struct Cylinder {
   double radius = 0.0; ///< R (length)
 };
 
-struct CylinderContacts {
-  std::array<ContactGeometry, 2> contact; ///< the deeper one first
-  int count = 0;
-};
-
-CylinderContacts find_cylinder_contacts(const EllipsoidShape& body, const Cylinder& cylinder);
+/// One or, inside, up to two contacts, the deeper one first; `contacts` is cleared first.
+void find_cylinder_contacts(const EllipsoidBody& body, const Cylinder& cylinder,
+                            std::vector<WallContact>& contacts);
 
 /// Every sphere of the chain that reaches into the wall; `contacts` is cleared first.
 void find_cylinder_contacts(const ChainPose& pose, const Cylinder& cylinder,
-                            std::vector<SphereContact>& contacts);
+                            std::vector<WallContact>& contacts);
 
 } // namespace ellipsoid

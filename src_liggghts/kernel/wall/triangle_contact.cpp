@@ -35,7 +35,7 @@ TriangleContact contact_at(TriangleFeature feature, const EllipsoidBody& body, c
   c.overlap = g.overlap;
   c.point = foot + (0.5 * g.overlap) * normal;
   c.deep = g.overlap > body.shape.smallest_curvature_radius;
-  c.radius = g.curvature_radius_i;
+  c.reduced_radius = g.curvature_radius_i;
   return c;
 }
 
@@ -49,7 +49,7 @@ TriangleContact contact_at(TriangleFeature feature, const SphereBody& body, cons
   c.overlap = body.radius + dot(normal, body.centre) - dot(normal, foot);
   c.point = foot + (0.5 * c.overlap) * normal;
   c.deep = c.overlap > body.radius;
-  c.radius = body.radius;
+  c.reduced_radius = body.radius;
   return c;
 }
 

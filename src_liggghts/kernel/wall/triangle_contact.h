@@ -20,6 +20,7 @@
 
 #include "multisphere/multisphere_contact.h"
 #include "wall/surface_points.h"
+#include "wall/wall_contact.h"
 
 #include <array>
 
@@ -30,26 +31,9 @@ using Triangle = std::array<Vector3, 3>;
 
 enum class TriangleFeature { none, face, edge, corner };
 
-struct TriangleContact {
+struct TriangleContact : WallContact {
   TriangleFeature feature = TriangleFeature::none; ///< none: no contact
-  int triangle = -1;                               ///< index in the list of triangles
-  int sphere = 0;                                  ///< number in the chain; 0 for an ellipsoid
-  Vector3 normal;                                  ///< unit, from the body into the wall
-  Vector3 foot;                                    ///< the contact's point on the triangle (length)
-  Vector3 point;                                   ///< middle of the overlap (length)
-  double overlap = 0.0;                            ///< (length)
   bool deep = false;                               ///< overlap > smallest radius of curvature
-  double radius = 0.0; ///< Gaussian radius of the body at the contact: R of (19) at a wall (length)
-};
-
-/// An ellipsoid with all that contacts with walls need.
-struct EllipsoidBody {
-  EllipsoidShape shape;
-  Vector3 semiaxes; ///< (length)
-  Rotation3 axes;   ///< columns: the body's axes in space
-  EllipsoidBody(const Vector3& semiaxes_, const Quaternion& orientation)
-      : shape(make_shape(semiaxes_, orientation)), semiaxes(semiaxes_),
-        axes(rotation(orientation)) {}
 };
 
 /// One sphere of a chain.

@@ -1,9 +1,13 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#include "wall_contact.h"
+#include "wall_history.h"
 
 #include "ellipsoid_host.h"
+#include "wall_meshes.h"
 
 #include <algorithm>
+#include <cmath>
+
+using ellipsoid::WallContact;
 
 namespace ellipsoid_host {
 
@@ -13,10 +17,14 @@ namespace {
 /// than 45 degrees: that of the facets of a curved wall.
 const double smallest_cosine = std::sqrt(0.5);
 
+/// A smooth ellipsoid counts as its first and only sphere.
+double sphere_from_one(const WallContact& c) { return std::max(0, c.sphere) + 1; }
+
 } // namespace
 
 void WallHistory::assign(const std::vector<WallContact>& contacts, double* row,
-                         const Adjoining& adjoining) {
+                         const WallMeshes& meshes) {
+  const auto code = [&](const WallContact& c) { return meshes.code(c.triangle); };
   if (contacts.empty()) {
     forget(row);
     return;
@@ -27,16 +35,16 @@ void WallHistory::assign(const std::vector<WallContact>& contacts, double* row,
   is_taken_.assign(static_cast<std::size_t>(slots_), 0);
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     double* slot = values(row, k) - header;
-    slot[0] = contacts[k].part + 1;
-    slot[1] = contacts[k].triangle;
+    slot[0] = sphere_from_one(contacts[k]);
+    slot[1] = code(contacts[k]);
     store(contacts[k].normal, &slot[2]);
   }
   // first what touched the same triangle before, then what may have come over from another
   hand_over(contacts, row,
-            [](const WallContact& c, const double* slot) { return slot[1] == c.triangle; });
+            [&](const WallContact& c, const double* slot) { return slot[1] == code(c); });
   hand_over(contacts, row, [&](const WallContact& c, const double* slot) {
-    return c.place >= 0 && dot(c.normal, vector(&slot[2])) >= smallest_cosine &&
-           adjoining(slot[1], c.place);
+    return c.triangle >= 0 && dot(c.normal, vector(&slot[2])) >= smallest_cosine &&
+           meshes.adjoining(slot[1], c.triangle);
   });
 }
 
@@ -57,7 +65,7 @@ void WallHistory::hand_over(const std::vector<WallContact>& contacts, double* ro
       for (std::size_t s = 0; s < is_taken_.size() && !has_values_[k]; ++s) {
         const double* slot = &before_[s * static_cast<std::size_t>(header + values_)];
         const double cosine = dot(contacts[k].normal, vector(&slot[2]));
-        if (is_taken_[s] || slot[0] != contacts[k].part + 1 || !(cosine > best) ||
+        if (is_taken_[s] || slot[0] != sphere_from_one(contacts[k]) || !(cosine > best) ||
             !may_go_on(contacts[k], slot))
           continue;
         best = cosine;
