@@ -190,7 +190,7 @@ class PairFinder {
   }
 
   void add_contact(const ContactGeometry& found, const Vector3& centre_i, double sign) {
-    if (found.status == ContactStatus::not_converged)
+    if (!has_converged(found.status))
       ++m_network.not_converged;
     if (found.status == ContactStatus::separated || found.overlap < 0.0)
       return;

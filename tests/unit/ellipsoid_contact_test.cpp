@@ -2,8 +2,11 @@
 //
 // The contact of two ellipsoids against brute force, closed forms and invariances.
 #include "contact_families.h"
+#include "ellipsoid/contact_batch.h"
 
 #include <gtest/gtest.h>
+
+#include <limits>
 
 using namespace ellipsoid;
 using namespace contact_test;
@@ -269,6 +272,79 @@ TEST(EllipsoidContact, CoincidentCentresAreTouching) {
   EXPECT_EQ(c.status, ContactStatus::touching);
   EXPECT_NEAR(c.overlap, 1.5, 1e-12); // along z: 1 + 0.5
   EXPECT_NEAR(std::fabs(c.normal.z), 1.0, 1e-9);
+}
+
+namespace {
+
+/// Least phi of two bodies of revolution about one common axis, over the angle from it.
+double least_of_coaxial(double a_i, double b_i, double a_j, double b_j, double distance) {
+  const auto phi = [&](double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return std::hypot(a_i * c, b_i * s) + std::hypot(a_j * c, b_j * s) - distance * c;
+  };
+  double best = 0.0;
+  for (int k = 0; k <= 4000; ++k)
+    if (phi(M_PI * k / 4000) < phi(best))
+      best = M_PI * k / 4000;
+  for (double step = 1e-3; step > 1e-10; step *= 0.7)
+    for (const double sign : {-1.0, 1.0})
+      if (phi(best + sign * step) < phi(best))
+        best += sign * step;
+  return phi(best);
+}
+
+} // namespace
+
+// Bodies of revolution on one axis: the line of centres is a stationary point of phi, and a maximum
+// where they overlap deeply; the minima make a ring, in which the Hessian is flat.
+TEST(EllipsoidContact, DeepCoaxialBodies) {
+  const EllipsoidShape grain = make_shape({2.7, 1.15, 1.15}, {});
+  const double known[][2] = {{4.0, 1.321}, {3.0, 1.815}, {2.0, 2.098}, {0.1, 2.300}};
+  for (const auto& [distance, phi] : known)
+    EXPECT_NEAR(find_contact(grain, grain, {distance, 0.0, 0.0}).overlap, phi, 1e-3);
+
+  PairGenerator random(88);
+  int flat = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const double b_i = random.log_uniform(0.1, 1.0), b_j = random.log_uniform(0.1, 1.0);
+    const double a_i = b_i * random.log_uniform(0.05, 20.0),
+                 a_j = b_j * random.log_uniform(0.05, 20.0);
+    const Quaternion turn = k % 2 ? Quaternion{} : random.orientation();
+    const Vector3 axis = rotation(turn).column_x;
+    const double distance = (a_i + a_j) * random.uniform(1e-3, 1.0);
+    const ContactGeometry c = find_contact(make_shape({a_i, b_i, b_i}, turn),
+                                           make_shape({a_j, b_j, b_j}, turn), distance * axis);
+    ASSERT_EQ(c.status, ContactStatus::touching) << "pair " << k;
+    ASSERT_NEAR(c.overlap, least_of_coaxial(a_i, b_i, a_j, b_j, distance), 1e-9 * (a_i + a_j))
+        << "pair " << k;
+    flat += std::fabs(dot(c.normal, axis)) < 0.999;
+  }
+  EXPECT_GT(flat, 500);
+}
+
+// What is no number is told apart from all else, by the search and by the batch.
+TEST(EllipsoidContact, NamesAPoseThatIsNone) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                   infinity = std::numeric_limits<double>::infinity();
+  const EllipsoidShape good = make_shape({2.7, 1.15, 1.15}, {});
+  ContactBatch batch;
+  const auto check = [&](const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& d) {
+    EXPECT_EQ(find_contact(i, j, d).status, ContactStatus::not_a_pose);
+    batch.clear();
+    batch.add(i, j, d, {1.0, 0.0, 0.0});
+    batch.add(good, good, {2.0, 0.5, 0.0}, {1.0, 0.0, 0.0});
+    batch.solve();
+    EXPECT_EQ(batch.geometry(0).status, ContactStatus::not_a_pose);
+    batch.solve_open();
+    EXPECT_TRUE(batch.is_not_a_pose(0));
+    EXPECT_FALSE(batch.has_converged(0));
+    EXPECT_FALSE(batch.is_not_a_pose(1));
+    EXPECT_TRUE(batch.has_converged(1));
+  };
+  check(good, good, {nan, 0.0, 0.0});
+  check(good, good, {0.0, infinity, 0.0});
+  check(make_shape({2.7, nan, 1.15}, {}), good, {1.0, 0.0, 0.0});
+  check(good, make_shape({2.7, 1.15, 1.15}, {nan, 0.0, 0.0, 1.0}), {1.0, 0.0, 0.0});
 }
 
 TEST(EllipsoidContact, PlaneAgainstClosedForm) {

@@ -257,7 +257,9 @@ void ContactBatch::solve_open() {
     put(C::radius_i, c.curvature_radius_i);
     put(C::radius_j, c.curvature_radius_j);
     put(C::steps, c.iterations);
-    put(C::open, c.status == ContactStatus::not_converged ? 1.0 : 0.0);
+    put(C::open, c.status == ContactStatus::not_converged ? C::stays_open
+                 : c.status == ContactStatus::not_a_pose  ? C::never_solved
+                                                          : 0.0);
   }
 }
 

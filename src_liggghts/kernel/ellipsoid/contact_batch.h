@@ -43,6 +43,11 @@ class ContactBatch : public Batch {
   /// The same after solve_open(), number by number.
   bool is_apart(int k) const { return columns_.out[Columns::overlap][k] < 0.0; }
   bool has_converged(int k) const { return columns_.out[Columns::open][k] == 0.0; }
+  /// Whether the pair has numbers that are none (ContactStatus::not_a_pose); it counts as not
+  /// converged, too.
+  bool is_not_a_pose(int k) const {
+    return columns_.out[Columns::open][k] == Columns::never_solved;
+  }
   double steps(int k) const { return columns_.out[Columns::steps][k]; }
   double curvature_radius_i(int k) const { return columns_.out[Columns::radius_i][k]; }
   double curvature_radius_j(int k) const { return columns_.out[Columns::radius_j][k]; }
@@ -85,9 +90,11 @@ class ContactBatch : public Batch {
       radius_i,
       radius_j,
       steps, ///< evaluations of the overlap function
-      open,  ///< 0: solved; otherwise to be searched alone, or not converged
+      open,  ///< 0: solved; otherwise to be searched alone, or one of the two below
       result_count
     };
+    static constexpr double stays_open = 1.0;   ///< not converged
+    static constexpr double never_solved = 2.0; ///< not a pose
     alignas(64) double in[input_count][column_length];
     alignas(64) double out[result_count][column_length];
   };

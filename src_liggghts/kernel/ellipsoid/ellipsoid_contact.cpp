@@ -41,29 +41,56 @@ RelativeCurvature principal(const TangentMatrix& c) {
 
 /// A step in the tangent plane.
 struct TangentStep {
-  Vector3 shift;               // of the normal (rad)
-  double length = 0.0;         // of the shift (rad)
-  double slope = 0.0;          // derivative of phi along the step (length)
-  double predicted_error = 0.; // of the normal after the step, if the step is a Newton step (rad)
-  bool newton = false;         // the Hessian was positive definite and the step not shortened
+  Vector3 shift;                // of the normal (rad)
+  double length = 0.0;          // of the shift (rad)
+  double slope = 0.0;           // derivative of phi along the step (length)
+  double predicted_error = 0.;  // of the normal after the step, if the step is a Newton step (rad)
+  bool newton = false;          // the Hessian was positive definite and the step not shortened
+  bool at_flat_minimum = false; // no slope, and no direction in which phi falls
 };
 
-/// Shift that makes the Hessian safely positive definite, 0 where it already is.
-double convexity_shift(const OverlapHessian<SymmetricMatrix3>& h) {
-  const double mean = 0.5 * h.trace;
-  const double radius = std::sqrt(std::max(0.0, mean * mean - h.determinant));
-  const double smallest = mean - radius, scale = std::fabs(mean) + radius;
-  if (smallest > tolerance::convexity * scale)
-    return 0.0;
-  return std::fabs(smallest) - smallest + 0.1 * scale;
+/// The two eigenvalues of the Hessian of phi, and what they say of phi.
+struct Convexity {
+  double smallest, largest, scale; // scale: the larger magnitude (length)
+
+  explicit Convexity(const OverlapHessian<SymmetricMatrix3>& h) {
+    const double mean = 0.5 * h.trace;
+    const double radius = std::sqrt(std::max(0.0, mean * mean - h.determinant));
+    smallest = mean - radius;
+    largest = mean + radius;
+    scale = std::fabs(mean) + radius;
+  }
+  bool is_convex() const { return smallest > tolerance::convexity * scale; }
+  /// Flat in one direction at least: rings of equal phi, as coaxial bodies of revolution have.
+  bool is_flat() const { return !is_convex() && smallest >= -tolerance::convexity * scale; }
+  /// Makes the Hessian safely positive definite; 0 where it already is.
+  double shift() const { return is_convex() ? 0.0 : std::fabs(smallest) - smallest + 0.1 * scale; }
+};
+
+/// The way down from a point without slope that is no minimum: along the most negative curvature.
+/// @param[in] radii W_i + W_j
+Vector3 way_off_saddle(const OverlapFunction<Vector3>& f, const SymmetricMatrix3& radii,
+                       const Convexity& convexity) {
+  const Vector3 tangent = TangentFrame(f.normal).first;
+  // (H - largest I) leaves nothing of the other eigenvector
+  const Vector3 v = radii * tangent - (f.value + convexity.largest) * tangent;
+  const Vector3 across = v - dot(v, f.normal) * f.normal;
+  const double length = norm(across);
+  return length > tolerance::convexity * convexity.scale ? (1.0 / length) * across : tangent;
 }
 
 /// Newton step of phi on the sphere; a shifted (still descending) one where phi is not convex.
 TangentStep newton_step(const OverlapFunction<Vector3>& f, const SymmetricMatrix3& radii) {
-  const double shift = convexity_shift(OverlapHessian(radii, f.value));
+  const Convexity convexity{OverlapHessian(radii, f.value)};
+  const double shift = convexity.shift();
   const OverlapHessian h(radii, f.value - shift);
   TangentStep step;
   step.shift = h.newton_shift(f);
+  if (!convexity.is_convex() && norm(f.tangential_gradient()) <= f.noise()) {
+    step.at_flat_minimum = convexity.is_flat();
+    if (!step.at_flat_minimum)
+      step.shift = tolerance::largest_step * way_off_saddle(f, radii, convexity);
+  }
   step.length = norm(step.shift);
   step.newton = shift == 0.0 && step.length <= tolerance::largest_step;
   if (step.length > tolerance::largest_step) {
@@ -125,6 +152,8 @@ ContactGeometry descend(const Vector3& start, const EllipsoidShape& i, const Ell
       return finish(f, ContactStatus::separated, iteration);
     const SymmetricMatrix3 radii = curvature_radii_sum(i.a_matrix, j.a_matrix, f);
     const TangentStep step = newton_step(f, radii);
+    if (step.at_flat_minimum)
+      return finish(f, ContactStatus::touching, iteration + 1);
     const bool last = step.newton && step.predicted_error <= tolerance::normal_error;
     if (last && step.length <= tolerance::extrapolated_step)
       return finish(
@@ -181,6 +210,14 @@ std::array<Vector3, sample_count> spiral_directions() {
   return directions;
 }
 
+/// Whether a result is to be preferred: the lower phi, and of equal ones what has converged.
+bool is_better(const ContactGeometry& c, const ContactGeometry& best) {
+  const bool only_c = c.status == ContactStatus::touching && c.status != best.status;
+  const bool only_best = best.status == ContactStatus::touching && c.status != best.status;
+  const double equal = tolerance::normal_error * std::fabs(best.overlap);
+  return c.overlap < best.overlap + (only_c ? equal : only_best ? -equal : 0.0);
+}
+
 /// Deep overlap of slender bodies, where phi may have several minima: descends from the best of
 /// many normals and keeps the lowest result.
 ContactGeometry search_deep(ContactGeometry best, const EllipsoidShape& i, const EllipsoidShape& j,
@@ -198,15 +235,18 @@ ContactGeometry search_deep(ContactGeometry best, const EllipsoidShape& i, const
         descend(directions[static_cast<std::size_t>(direction)], i, j, centre_distance, options);
     if (c.status == ContactStatus::separated)
       return c;
-    if (c.status == ContactStatus::touching &&
-        (best.status != ContactStatus::touching || c.overlap < best.overlap))
+    if (is_better(c, best))
       best = c;
   }
   return best;
 }
 
-ContactGeometry certify(const ContactGeometry& c, const EllipsoidShape& i, const EllipsoidShape& j,
+ContactGeometry certify(ContactGeometry c, const EllipsoidShape& i, const EllipsoidShape& j,
                         const Vector3& centre_distance, const SearchOptions& options) {
+  if (!std::isfinite(c.overlap)) {
+    c.status = ContactStatus::not_a_pose;
+    return c;
+  }
   return is_settled(c, i, j) ? c : search_deep(c, i, j, centre_distance, options);
 }
 

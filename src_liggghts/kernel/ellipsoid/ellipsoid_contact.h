@@ -47,10 +47,15 @@ inline EllipsoidShape make_shape(const Vector3& semiaxes, const Quaternion& orie
 }
 
 enum class ContactStatus {
-  separated,    ///< a separating normal was found: proof that the bodies do not touch
-  touching,     ///< converged, overlap >= 0
-  not_converged ///< iteration limit: the geometry is the best found; callers count and report it
+  separated,     ///< a separating normal was found: proof that the bodies do not touch
+  touching,      ///< converged, overlap >= 0
+  not_converged, ///< iteration limit: the geometry is the best found; callers count and report it
+  not_a_pose ///< a centre, axis or orientation is NaN or infinite, and so may be what is returned
 };
+
+inline bool has_converged(ContactStatus status) {
+  return status == ContactStatus::separated || status == ContactStatus::touching;
+}
 
 struct ContactGeometry {
   ContactStatus status = ContactStatus::separated;
