@@ -8,7 +8,9 @@
 #include "multisphere/multisphere_contact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace ellipsoid {
 
@@ -33,48 +35,92 @@ inline double mass2_over_radius(double curvature, double mobility) {
   return 0.5 * curvature / (mobility * mobility);
 }
 
-/// The same for the point with normal n of an ellipsoid: 1/R of (19) for two equal, aligned
-/// curvatures.
-/// @param[in] p squares of the normal's components (body frame), sum 1
-inline double mass2_over_radius(const Vector3& semiaxes, double mass, const Vector3& inertia,
-                                const Vector3& p) {
-  const double aa = semiaxes.x * semiaxes.x, bb = semiaxes.y * semiaxes.y,
-               cc = semiaxes.z * semiaxes.z;
-  const double s2 = aa * p.x + bb * p.y + cc * p.z; // square of the support
-  const double arms = (bb - cc) * (bb - cc) * p.y * p.z / inertia.x +
-                      (cc - aa) * (cc - aa) * p.z * p.x / inertia.y +
-                      (aa - bb) * (aa - bb) * p.x * p.y / inertia.z;
-  const double curvature = s2 / (semiaxes.x * semiaxes.y * semiaxes.z); // root of Gauss's
-  return mass2_over_radius(curvature, 1.0 / mass + arms / s2);
-}
+/// The same for the points of an ellipsoid, with 1/R of (19) for two equal, aligned curvatures. In
+/// the squares u of a point's coordinates over the semi-axes (u.x + u.y + u.z = 1), with
+///   W = u.x / a^2 + u.y / b^2 + u.z / c^2,
+///   Q = u.y u.z (b^2 - c^2)^2 / (b^2 c^2 I_x) + the same for the other two pairs of axes,
+/// the root of Gauss's curvature is 1 / (a b c W), the mobility 1/m + Q/W, and hence
+///   m*^2/R = 1 / (2 a b c S), S = (W/m + Q)^2 / W.
+class CollisionSeverity {
+ public:
+  CollisionSeverity(const Vector3& semiaxes, double mass, const Vector3& inertia)
+      : axes_product_(semiaxes.x * semiaxes.y * semiaxes.z), inverse_mass_(1.0 / mass) {
+    const double aa = semiaxes.x * semiaxes.x, bb = semiaxes.y * semiaxes.y,
+                 cc = semiaxes.z * semiaxes.z;
+    const auto arm = [](double first, double second, double moment) {
+      return (first - second) * (first - second) / (first * second * moment);
+    };
+    arms_ = {arm(bb, cc, inertia.x), arm(cc, aa, inertia.y), arm(aa, bb, inertia.z)};
+    inverse_squares_ = {1.0 / aa, 1.0 / bb, 1.0 / cc};
+  }
 
-/// The smallest value over all points of an ellipsoid: where it is stiffest and lightest at once.
-/// Pairs of unlike points or bodies lie between the values of the two: with k >= C u^2 for both,
-/// (k1 + k2) / (u1 + u2)^2 >= C/2.
+  double at(const Vector3& u) const { return between(u, u); }
+
+  /// The quotient z^2 / W of the polar forms of z = W/m + Q and W at two points: where a piece of
+  /// the surface has the corners u_k, those of all pairs of corners are its Bezier coefficients,
+  /// and as z^2 / W is a convex function of z and W > 0, none of its values on the piece is larger
+  /// than the largest of these.
+  double between(const Vector3& u, const Vector3& v) const {
+    const double w = 0.5 * dot(inverse_squares_, u + v);
+    const double q = 0.5 * (arms_.x * (u.y * v.z + u.z * v.y) + arms_.y * (u.z * v.x + u.x * v.z) +
+                            arms_.z * (u.x * v.y + u.y * v.x));
+    const double z = inverse_mass_ * w + q;
+    return z * z / w;
+  }
+
+  /// Corners of a piece of the surface that has all values of S: a side of it for a body of
+  /// revolution, which has the same ones on its other sides.
+  std::array<Vector3, 3> whole() const {
+    const Vector3 x{1.0, 0.0, 0.0}, y{0.0, 1.0, 0.0}, z{0.0, 0.0, 1.0};
+    const Vector3 &w = inverse_squares_, &q = arms_;
+    if (w.y == w.z && q.x == 0.0 && q.y == q.z)
+      return {x, y, y};
+    if (w.z == w.x && q.y == 0.0 && q.z == q.x)
+      return {y, z, z};
+    if (w.x == w.y && q.z == 0.0 && q.x == q.y)
+      return {z, x, x};
+    return {x, y, z};
+  }
+
+  /// m*^2/R where S has that value (mass^2/length).
+  double mass2_over_radius(double severity) const { return 0.5 / (axes_product_ * severity); }
+
+ private:
+  double axes_product_, inverse_mass_;
+  Vector3 arms_, inverse_squares_;
+};
+
+/// The smallest value over all points of an ellipsoid, or up to 5e-5 less: where it is stiffest and
+/// lightest at once. Pairs of unlike points or bodies lie between the values of the two: with k >=
+/// C u^2 for both, (k1 + k2) / (u1 + u2)^2 >= C/2. By branch and bound: pieces of the surface that
+/// cannot hold more than what is found are left out, the others are cut in four.
 inline double smallest_mass2_over_radius(const Vector3& semiaxes, double mass,
                                          const Vector3& inertia) {
-  constexpr int parts = 16; // of the triangle of p; then the best point is refined
-  constexpr double resolution = 1e-5;
-  double best = HUGE_VAL;
-  Vector3 at;
-  const auto visit = [&](double x, double y) {
-    const Vector3 p{x, y, 1.0 - x - y};
-    if (p.x < 0.0 || p.y < 0.0 || p.z < -1e-15)
-      return;
-    const double value = mass2_over_radius(semiaxes, mass, inertia, p);
-    if (value < best) {
-      best = value;
-      at = p;
+  constexpr double excess = 5e-5; // that the bound may have over the largest severity found
+  const CollisionSeverity severity(semiaxes, mass, inertia);
+  std::vector<std::array<Vector3, 3>> pieces{severity.whole()}, rest;
+  double largest = 0.0, bound = 0.0;
+  for (; !pieces.empty(); pieces.swap(rest), rest.clear()) {
+    for (const auto& piece : pieces)
+      for (const Vector3& u : piece)
+        largest = std::max(largest, severity.at(u));
+    for (const auto& [a, b, c] : pieces) {
+      const double most =
+          std::max({severity.at(a), severity.at(b), severity.at(c), severity.between(a, b),
+                    severity.between(b, c), severity.between(c, a)});
+      if (most <= (1.0 + excess) * largest) {
+        bound = std::max(bound, most);
+        continue;
+      }
+      const Vector3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
+      const bool is_side = norm(b - c) == 0.0;
+      if (is_side)
+        rest.insert(rest.end(), {{a, ab, ab}, {ab, b, b}});
+      else
+        rest.insert(rest.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
     }
-  };
-  for (int i = 0; i <= parts; ++i)
-    for (int j = 0; i + j <= parts; ++j)
-      visit(static_cast<double>(i) / parts, static_cast<double>(j) / parts);
-  for (double step = 0.5 / parts; step > resolution; step *= 0.5)
-    for (int dx = -1; dx <= 1; ++dx)
-      for (int dy = -1; dy <= 1; ++dy)
-        visit(at.x + dx * step, at.y + dy * step);
-  return best;
+  }
+  return severity.mass2_over_radius(bound);
 }
 
 /// The same for a chain of spheres, each touched from the side.
