@@ -219,7 +219,7 @@ __attribute__((noinline)) bool SmoothContacts::search_alone(const NearPair& pair
   const bool touches =
       this->touches(contact,
                     {found.normal, static_cast<double>(found.iterations),
-                     found.status == Status::separated, found.status != Status::not_converged},
+                     found.status == Status::separated, ellipsoid::has_converged(found.status)},
                     counts, forces);
   count(counts);
   if (!touches) {
