@@ -6,8 +6,7 @@
 #   bash tests/clean_machine.sh SUITE [COMMAND...]
 #
 #   SUITE     bookworm, trixie, ...: any suite that the machine's own Debian mirror has
-#   COMMAND   bash commands to run in the clone, one argument each, in place of the two; `as_user
-#             COMMAND` runs one without root
+#   COMMAND   bash commands to run in the clone, one argument each, in place of the two
 #
 # Only what is committed is tried. The log stays in clean_machine_SUITE.log of the present folder.
 # Environment:
@@ -115,11 +114,14 @@ root=${CLEAN_MACHINE_FOLDER:-$(mktemp -d "/var/tmp/clean_machine_$suite.XXXXXX")
 mkdir -p "$root"
 
 echo "$suite in $root; log: $log"
-if try_everything >"$log" 2>&1 </dev/null; then
+set +e
+(set -e && try_everything) >"$log" 2>&1 </dev/null
+status=$?
+set -e
+if [[ $status -eq 0 ]]; then
   echo "$suite: passed ($((SECONDS / 60)) minutes); last lines of $log:"
   tail -n 8 "$log"
 else
-  status=$?
   tail -n 40 "$log"
   fail "$suite: failed after $((SECONDS / 60)) minutes (exit status $status); all of it: $log"
 fi

@@ -82,8 +82,9 @@ int ParticleToInsertEllipsoid::insert() {
   const int inserted = ParticleToInsertSuperquadric::insert();
   if (subspheres == 0)
     return inserted;
-  for (const auto& value : {std::make_pair("subspheres", static_cast<double>(subspheres)),
-                            std::make_pair("spacing", static_cast<double>(spacing))}) {
+  const std::pair<const char*, double> values[] = {{"subspheres", static_cast<double>(subspheres)},
+                                                   {"spacing", static_cast<double>(spacing)}};
+  for (const auto& value : values) {
     auto* fix = static_cast<FixPropertyAtom*>(modify->find_fix_property(
         value.first, "property/atom", "scalar", 0, 0, "fix particletemplate/ellipsoid"));
     for (int i = atom->nlocal - inserted; i < atom->nlocal; ++i)
