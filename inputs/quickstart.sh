@@ -41,7 +41,7 @@ What to try next
   another seed    build/bin/liggghts -in inputs/piling.in -var seed 2 -var particles 100 -var y0 0.05 -var settle 3 -var dt 5e-6 -var out out/seed2
   multi-spheres   the same with  -var surface multisphere -var subspheres 5
   the paper's     build/bin/liggghts -in inputs/piling.in -var dt 5e-6 -var out out/paper   (1000 particles, about 20 minutes)
-  on 2 cores      mpirun -np 2 build/bin/liggghts -in inputs/piling.in ...
+  many piles      bash inputs/campaign.sh --out out/campaign --seeds "1 2 3" -- -var particles 100 -var y0 0.05 -var settle 3 -var dt 5e-6
   more figures    build/bin/ellipsoid-post --help
   all tests       bash tests/run.sh
 TEXT

@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "command.h"
 #include "frame_options.h"
+#include "version_text.h"
 
 #include <algorithm>
 #include <exception>
@@ -41,6 +42,7 @@ int main(int argc, char** argv) {
   CLI::App program("ellipsoid-post: measures and shows what LIGGGHTS piled up, from its dumps.",
                    "ellipsoid-post");
   program.require_subcommand(1);
+  program.set_version_flag("--version", version_text());
   program.footer("ellipsoid-post COMMAND --help explains a command and its definitions.\n"
                  "Exit codes: 0 good, 1 broken or missing data, 2 wrong usage.");
   int exit_code = exit_good;
