@@ -99,9 +99,9 @@ template <class Place, class Normals> struct PairSearch {
     const bool exact = third * third * squared * squared * squared <=
                        tolerance::batch_normal_error * tolerance::batch_normal_error;
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    w.of[Work::largest_overlap][at.k] = apart_here       ? infinity
-                                        : convex & exact ? c.in[C::safe_overlap][at.k]
-                                                         : -infinity;
+    w.of[Work::largest_overlap][at.k] = apart_here         ? infinity
+                                        : (convex & exact) ? c.in[C::safe_overlap][at.k]
+                                                           : -infinity;
   }
 
   /// Largest (semi-axis / s)^2 of the two, or some more: how fast the radii of curvature change
@@ -148,7 +148,7 @@ template <class Place, class Normals> struct PairSearch {
     result(C::radius_i, r_i);
     result(C::radius_j, r_j);
     c.out[C::steps][at.k] = is_first ? 1.0 : c.out[C::steps][at.k] + (open ? 1.0 : 0.0);
-    c.out[C::open][at.k] = open & !is_solved() ? 1.0 : 0.0;
+    c.out[C::open][at.k] = (open & !is_solved()) ? 1.0 : 0.0;
   }
 
   /// The normal after one Newton step.

@@ -22,7 +22,6 @@ using Two = double __attribute__((vector_size(16), aligned(8), may_alias));
 using Four = double __attribute__((vector_size(32), aligned(8), may_alias));
 
 inline Two& two(double* row) { return *reinterpret_cast<Two*>(row); }
-inline const Two& two(const double* row) { return *reinterpret_cast<const Two*>(row); }
 inline Four& four(double* row) { return *reinterpret_cast<Four*>(row); }
 
 struct Kicked {

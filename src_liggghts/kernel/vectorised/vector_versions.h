@@ -10,16 +10,18 @@ namespace ellipsoid {
 /// ELLIPSOID_VECTOR_VERSIONS(solve, Columns) defines `const solve_t solve` from the inline function
 /// solve_loop(Columns&, int); everything that solve_loop calls must be inline.
 #if defined(__x86_64__)
+#if defined(__clang__) // which takes the width as a hint of the command line only
+#define ELLIPSOID_AVX512 "avx512f,avx512dq,avx512vl"
+#else
+#define ELLIPSOID_AVX512 "avx512f,avx512dq,avx512vl,prefer-vector-width=512"
+#endif
 #define ELLIPSOID_VECTOR_VERSIONS(NAME, COLUMNS)                                                   \
   using NAME##_t = void (*)(COLUMNS&, int);                                                        \
   __attribute__((flatten)) void NAME##_plain(COLUMNS& c, int size) { NAME##_loop(c, size); }       \
   __attribute__((flatten, target("avx2"))) void NAME##_avx2(COLUMNS& c, int size) {                \
     NAME##_loop(c, size);                                                                          \
   }                                                                                                \
-  __attribute__((                                                                                  \
-      flatten,                                                                                     \
-      target("avx512f,avx512dq,avx512vl,prefer-vector-width=512"))) void NAME##_avx512(COLUMNS& c, \
-                                                                                       int size) { \
+  __attribute__((flatten, target(ELLIPSOID_AVX512))) void NAME##_avx512(COLUMNS& c, int size) {    \
     NAME##_loop(c, size);                                                                          \
   }                                                                                                \
   NAME##_t NAME##_for_this_processor() {                                                           \
