@@ -187,7 +187,7 @@ configure() {
   if command -v ninja >/dev/null && [[ ! -f $build/CMakeCache.txt ]]; then
     cmake_options+=(-G Ninja)
   fi
-  if [[ -n ${CI-} ]]; then
+  if [[ -n ${CI-} ]]; then # developers hear of a new warning before users do
     cmake_options+=(-DELLIPSOID_WARNINGS_AS_ERRORS=ON)
   fi
   (cd "$repository" && quietly cmake --preset release "${cmake_options[@]}" "$@")

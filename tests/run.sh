@@ -2,9 +2,14 @@
 # Sets everything up, builds, and runs all tests. Ends with CTest's own summary.
 #
 #   bash tests/run.sh [CMAKE_OPTION...]      for example -DELLIPSOID_VTK=OFF
+#
+# With CI set in the environment, warnings are errors, and progress is a line every 30 s.
 set -euo pipefail
 # shellcheck source=../inputs/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../inputs/setup.sh"
+
+# what checks the sources and the pages
+wanted_packages+=(clang-format clang-tidy python3-sphinx python3-myst-parser python3-sphinx-rtd-theme)
 
 stage "1/4 Packages"
 install_missing_packages "$@"
