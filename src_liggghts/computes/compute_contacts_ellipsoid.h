@@ -20,7 +20,7 @@ namespace LAMMPS_NS {
 class ComputeContactsEllipsoid : public Compute {
  public:
   ComputeContactsEllipsoid(class LAMMPS* lmp, int& iarg, int narg, char** arg);
-  ~ComputeContactsEllipsoid();
+  ~ComputeContactsEllipsoid() override;
   void init() override;
   void compute_vector() override;
 

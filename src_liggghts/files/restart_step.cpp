@@ -34,7 +34,7 @@ void exchange_particles(LAMMPS* lmp) {
 /// As command run does: sorted particles, new neighbour lists, forces with the velocities of the
 /// full step.
 void set_up(LAMMPS* lmp) {
-  const int builds = lmp->neighbor->ncalls;
+  const auto builds = lmp->neighbor->ncalls;
   lmp->update->integrate->setup_minimal(1);
   lmp->neighbor->ncalls = builds;
 }

@@ -25,7 +25,7 @@ namespace LAMMPS_NS {
 class FixCheckTimestepEllipsoid : public Fix {
  public:
   FixCheckTimestepEllipsoid(class LAMMPS* lmp, int narg, char** arg);
-  ~FixCheckTimestepEllipsoid();
+  ~FixCheckTimestepEllipsoid() override;
   int setmask() override;
   void init() override;
   void end_of_step() override;

@@ -29,7 +29,7 @@ namespace LAMMPS_NS {
 class PairGranEllipsoid : public PairGran, public LIGGGHTS::ContactModels::EllipsoidContactCaller {
  public:
   explicit PairGranEllipsoid(class LAMMPS* lmp);
-  ~PairGranEllipsoid();
+  ~PairGranEllipsoid() override;
 
   void settings(int narg, char** arg) override;
   void init_style() override;

@@ -43,7 +43,7 @@ class ParticleToInsertEllipsoid : public ParticleToInsertSuperquadric {
 class FixParticletemplateEllipsoid : public FixTemplateSphere {
  public:
   FixParticletemplateEllipsoid(class LAMMPS* lmp, int narg, char** arg);
-  ~FixParticletemplateEllipsoid();
+  ~FixParticletemplateEllipsoid() override;
 
   void post_create() override;
   double min_rad() override { return smallest_bounding_radius_; }
