@@ -8,6 +8,7 @@ import os
 import subprocess
 
 POST = os.path.join(os.environ["ELLIPSOID_BIN"], "ellipsoid-post")
+SLOWNESS = int(os.environ.get("ELLIPSOID_SLOWNESS", "1"))  # of this build; 1: optimised
 COLUMNS = ("id type mass x y z vx vy vz omegax omegay omegaz quat1 quat2 quat3 quat4 "
            "shapex shapey shapez f_subspheres").split()
 A, B = 2.7e-3, 1.15e-3
@@ -16,7 +17,7 @@ A, B = 2.7e-3, 1.15e-3
 def post(*arguments, expect=0, stdin=None):
     """Runs ellipsoid-post; checks its exit code (None: any); gives (stdout, stderr)."""
     done = subprocess.run([POST, *map(str, arguments)], capture_output=True, text=True,
-                          input=stdin, timeout=300)
+                          input=stdin, timeout=300 * SLOWNESS)
     assert expect in (done.returncode, None), (arguments, done.returncode, done.stdout, done.stderr)
     return done.stdout, done.stderr
 

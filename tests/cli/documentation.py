@@ -189,7 +189,7 @@ def run_scripts(pages, liggghts):
             file = pathlib.Path(f"{name}.{count}.in")
             file.write_text(script)
             result = subprocess.run([liggghts, "-in", file], capture_output=True, text=True,
-                                    timeout=300)
+                                    timeout=300 * int(os.environ.get("ELLIPSOID_SLOWNESS", "1")))
             if result.returncode != 0 or "ERROR" in result.stdout:
                 complaints.append(f"{name}: script {file} fails: {result.stdout[-300:]}")
     print(f"{count} scripts of the pages run")

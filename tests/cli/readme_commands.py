@@ -55,7 +55,8 @@ def run(command, tree):
     for text, replacement in SHORTER:
         short = re.sub(text, replacement, short)
     result = subprocess.run(["bash", "-euo", "pipefail", "-c", short], cwd=tree, text=True,
-                            capture_output=True, timeout=300, stdin=subprocess.DEVNULL)
+                            capture_output=True, stdin=subprocess.DEVNULL,
+                            timeout=300 * int(os.environ.get("ELLIPSOID_SLOWNESS", "1")))
     assert result.returncode == 0, (f"exit status {result.returncode}: {short}\n"
                                     f"{result.stdout[-1500:]}\n{result.stderr[-1500:]}")
     for output in named_outputs(command):

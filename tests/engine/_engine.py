@@ -15,6 +15,7 @@ LIGGGHTS = Path(os.environ["ELLIPSOID_BIN"]) / "liggghts"
 COLUMNS = ("id type mass x y z vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz "
            "quat1 quat2 quat3 quat4 shapex shapey shapez").split()
 SPHERE_COLUMNS = COLUMNS[:18]
+SLOWNESS = int(os.environ.get("ELLIPSOID_SLOWNESS", "1"))  # of this build; 1: optimised
 LAW = "model hertz/viscous tangential history/viscous"
 
 
@@ -162,7 +163,7 @@ def run(script, ranks=1, timeout=300, check=True, name="in.run"):
     command = ["mpirun", "-np", str(ranks)] if ranks > 1 else []
     command += [str(LIGGGHTS), "-in", name, "-log", f"log.{name}"]
     done = subprocess.run(command, capture_output=True, text=True, errors="backslashreplace",
-                          timeout=timeout)
+                          timeout=timeout * SLOWNESS)
     outcome = Outcome(done.returncode, done.stdout + done.stderr)
     if check and outcome.code != 0:
         raise AssertionError(f"the engine failed on {name}:\n{outcome.text[-3000:]}")

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from _contact_geometry import contact
-from _engine import kinetic_energy, read_dump, run_example
+from _engine import SLOWNESS, kinetic_energy, read_dump, run_example
 from _examples import GRAVITY, SINK, frame, frames, lowest_points, potential_energy, total_energy
 from _overlaps import scales, shape_squares, touching
 
@@ -166,7 +166,7 @@ class Batch(unittest.TestCase):
         done = subprocess.run(
             ["bash", self.SCRIPT, "-in", self.SCRIPT.parent / "restart.in", "-var", "part", "first",
              "-var", "particles", "10", "-var", "half", "200", "-var", "out", "batch"],
-            capture_output=True, text=True, timeout=300,
+            capture_output=True, text=True, timeout=300 * SLOWNESS,
             env={**os.environ, "SLURM_NTASKS": "2", "SLURM_SUBMIT_DIR": os.getcwd()})
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertIn("on 2 procs", done.stdout)
