@@ -20,6 +20,7 @@ include_patterns = ["README.md", "*/doc/*.md", "tests/bench/*.md", ".github/*.md
 exclude_patterns = ["build*", "out"]
 suppress_warnings = ["misc.highlighting_failure", "myst.header"]
 html_extra_path = ["index.html"]
+html_static_path, html_css_files = ["static"], ["manual.css"]
 html_theme = "sphinx_rtd_theme"
 html_theme_options = {"navigation_depth": 3, "collapse_navigation": True}
 html_show_sphinx = html_show_copyright = html_copy_source = False
