@@ -1,6 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "command.h"
-#include "frame_options.h"
+#include "messages.h"
 #include "version_text.h"
 
 #include <algorithm>

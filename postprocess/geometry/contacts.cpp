@@ -54,7 +54,7 @@ SearchBodies search_bodies(const ParticleSet& set, double gap) {
   for (const Particle& p : set.particles) {
     bodies.smooth.push_back(make_shape(p.semiaxes + half_gap, p.orientation));
     bodies.centres.push_back(p.centre);
-    bodies.is_smooth.push_back(p.is_smooth());
+    bodies.is_smooth.push_back(static_cast<char>(p.is_smooth()));
     bodies.inner_radii.push_back(p.is_smooth() ? well_inside * p.smallest_axis() : 0.0);
   }
   return bodies;

@@ -79,7 +79,8 @@ Coordination coordination(const ParticleSet& set, const std::vector<std::size_t>
     ++result.distribution[z];
     result.wall_contacts += partners.walls[i];
     wall_bodies += partners.wall_bodies[i];
-    is_backbone[i] = partners.particles[i] + partners.walls[i] >= options.rattler_contacts;
+    is_backbone[i] =
+        static_cast<char>(partners.particles[i] + partners.walls[i] >= options.rattler_contacts);
     is_backbone[i] ? ++backbone : ++result.rattlers;
   }
   const auto per = [](std::size_t twice, std::size_t count) {

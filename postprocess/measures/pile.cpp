@@ -31,8 +31,10 @@ std::vector<std::size_t> pile_members(const ParticleSet& set, const PileOptions&
     ++size[root];
     if (options.wall && !touches_wall[root]) {
       const PlaneWall wall{{*options.wall, 0.0, 0.0}, {1.0, 0.0, 0.0}};
-      if (!wall_overlaps(set, i, wall, near.gap()).empty())
-        touches_wall[root] = any_touches = true;
+      if (!wall_overlaps(set, i, wall, near.gap()).empty()) {
+        touches_wall[root] = 1;
+        any_touches = true;
+      }
     }
   }
   std::size_t best = count;
