@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "version_text.h"
 
-#include "package_version.h"
+#include "math/package_version.h"
 
 #ifdef ELLIPSOID_HAS_CAIRO
 #include <cairo.h>

@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "engine_version.h"
 
-#include "package_version.h"
+#include "math/package_version.h"
 
 #include "version_liggghts.h"
 

@@ -9,7 +9,7 @@ import re
 from pygments.lexers.special import TextLexer
 
 repository = pathlib.Path(__file__).resolve().parents[3]
-version_header = repository / "src_liggghts" / "kernel" / "package_version.h"
+version_header = repository / "src_liggghts" / "kernel" / "math" / "package_version.h"
 
 project = "liggghts-ellipsoid"
 release = version = re.search(r'package_version\[\] = "(.+)"', version_header.read_text())[1]
