@@ -111,10 +111,11 @@ apt_can_install() {
   apt-get --simulate --no-remove --no-install-recommends install "$@" >>"$setup_log" 2>&1
 }
 
-# what_bars PACKAGE...: the installed packages that would have to go
+# what_bars PACKAGE...: the installed packages that would have to go, or that apt names in its refusal
 what_bars() {
-  LC_ALL=C apt-get --simulate --yes --no-install-recommends install "$@" 2>/dev/null |
-    sed -n 's/^Remv \([^ ]*\).*/\1/p' | paste --serial --delimiters=' '
+  { LC_ALL=C apt-get --simulate --yes --no-install-recommends install "$@" 2>&1 || true; } |
+    sed -n -E 's/^Remv ([^ ]+).*/\1/p; s/^ *([^ :]+) : (Conflicts|Breaks): .*/\1/p' |
+    sort -u | paste --serial --delimiters=' '
 }
 
 # vtk_or_without VALUE PACKAGE...: VALUE of -DELLIPSOID_VTK, packages that go with it: where VTK's packages do not go with what is
