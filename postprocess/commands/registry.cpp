@@ -22,6 +22,7 @@ void add_paraview_command(CLI::App&, int&);
 void add_template_command(CLI::App&, int&);
 void add_plot_command(CLI::App&, int&);
 void add_report_command(CLI::App&, int&);
+void add_view_command(CLI::App&, int&);
 
 const CommandRow command_rows[] = {
     {"pile", add_pile_command},
@@ -40,6 +41,7 @@ const CommandRow command_rows[] = {
     {"template", add_template_command},
     {"plot", add_plot_command},
     {"report", add_report_command},
+    {"view", add_view_command},
 };
 const unsigned command_count = sizeof(command_rows) / sizeof(command_rows[0]);
 

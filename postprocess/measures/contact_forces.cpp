@@ -122,7 +122,8 @@ std::vector<ForceLink> force_links(const Frame& list, const ContactColumns& colu
   std::vector<ForceLink> links;
   for (const auto& [pair, force] : force_of_pair)
     if (force > 0.0)
-      links.push_back({set.particles[pair.first].centre, set.particles[pair.second].centre, force});
+      links.push_back({set.particles[pair.first].centre, set.particles[pair.second].centre, force,
+                       pair.first, pair.second});
   return links;
 }
 

@@ -1,0 +1,220 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "colour_map.h"
+#include "contact_list_options.h"
+#include "frame_loop.h"
+#include "frame_options.h"
+#include "messages.h"
+#include "option_checks.h"
+#include "run_log.h"
+#include "run_walls.h"
+#include "stl_mesh.h"
+#include "table.h"
+#include "upright_options.h"
+#include "view_page.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+
+namespace ellipsoid::post {
+namespace {
+
+struct ViewOptions {
+  FrameOptions frames;
+  ContactListOptions contacts;
+  std::string output, title, up = "z", colour_by = "speed", log;
+  std::vector<std::string> meshes;
+  bool no_contacts = false, no_walls = false;
+};
+
+ByteColour bytes_of(const Colour& colour) {
+  const auto byte = [](double share) { return static_cast<int>(std::lround(255.0 * share)); };
+  return {byte(colour.red), byte(colour.green), byte(colour.blue)};
+}
+
+void fill_colours(ViewSettings& settings) {
+  for (int k = 0; k < 256; ++k) {
+    settings.even_colours.push_back(bytes_of(colour_of(k / 255.0)));
+    settings.cyclic_colours.push_back(bytes_of(cyclic_colour(k / 255.0)));
+  }
+  // Okabe and Ito 2008: eight colours that colour-blind readers tell apart, without black
+  settings.kind_colours = {{0, 114, 178},  {230, 159, 0}, {0, 158, 115},  {204, 121, 167},
+                           {86, 180, 233}, {213, 94, 0},  {240, 228, 66}, {140, 140, 140}};
+}
+
+ViewMesh mesh_of(const std::string& file, double scale, const std::array<double, 3>& shift) {
+  ViewMesh mesh{std::filesystem::path(file).filename().string(), {}};
+  for (const auto& triangle : read_stl(file))
+    for (const Vector3& corner : triangle) {
+      mesh.corners.push_back(static_cast<float>(scale * corner.x + shift[0]));
+      mesh.corners.push_back(static_cast<float>(scale * corner.y + shift[1]));
+      mesh.corners.push_back(static_cast<float>(scale * corner.z + shift[2]));
+    }
+  return mesh;
+}
+
+/// A mesh file as its command names it, seen from here or from the folder of the log; empty where
+/// it is at neither place.
+std::string present_file(const std::string& name, const std::string& log) {
+  for (const auto& folder : {std::filesystem::path(), std::filesystem::path(log).parent_path()})
+    if (std::filesystem::is_regular_file(folder / name))
+      return (folder / name).string();
+  return "";
+}
+
+void add_meshes_of_run(const RunWalls& walls, const std::string& log, ViewSettings& settings) {
+  const auto leave_out = [](const RunMesh& mesh, const std::string& reason) {
+    report_warning(fmt::format("mesh {} ({}) is not shown: {}; give it as it is in space by --mesh",
+                               mesh.id, mesh.file, reason));
+  };
+  for (const RunMesh& mesh : walls.meshes) {
+    const std::string file = present_file(mesh.file, log);
+    if (mesh.is_turned)
+      leave_out(mesh, "its command turns it");
+    else if (mesh.moves)
+      leave_out(mesh, "it moves");
+    else if (file.empty() || std::filesystem::path(file).extension() != ".stl")
+      leave_out(mesh, "there is no STL file of this name");
+    else
+      settings.meshes.push_back(mesh_of(file, mesh.scale, mesh.shift));
+  }
+}
+
+/// Walls of the run's log, and the meshes that the user names.
+void add_walls(const ViewOptions& options, const std::string& first_file, ViewSettings& settings) {
+  for (const std::string& mesh : options.meshes)
+    settings.meshes.push_back(mesh_of(mesh, 1.0, {}));
+  const std::string log = options.log.empty() ? log_beside(first_file) : options.log;
+  if (options.no_walls || log.empty())
+    return;
+  const RunWalls walls = read_run_walls(log);
+  for (const PrimitivePlane& plane : walls.planes) {
+    ViewWall wall;
+    (plane.axis == 0 ? wall.point.x : plane.axis == 1 ? wall.point.y : wall.point.z) = plane.place;
+    (plane.axis == 0 ? wall.normal.x : plane.axis == 1 ? wall.normal.y : wall.normal.z) = 1.0;
+    settings.walls.push_back(wall);
+  }
+  if (options.meshes.empty())
+    add_meshes_of_run(walls, log, settings);
+}
+
+std::vector<ViewContact> contacts_of(const ViewOptions& options, const ChosenFrame& chosen) {
+  std::vector<ViewContact> contacts;
+  if (options.no_contacts)
+    return contacts;
+  if (!options.contacts.files.empty()) {
+    for (const ForceLink& link :
+         force_links(contact_list_at(options.contacts, chosen.frame.timestep),
+                     options.contacts.columns, chosen.set))
+      contacts.push_back({link.i, link.j, link.force, 0.0});
+    return contacts;
+  }
+  for (const PairContact& pair : find_contacts(chosen.set, 0.0).pairs)
+    contacts.push_back({pair.i, pair.j, 0.0, pair.largest_overlap});
+  return contacts;
+}
+
+void say_sizes(const ViewOptions& options, const ViewSurvey& survey, const ViewPage& page,
+               std::size_t particles, std::size_t bytes) {
+  fmt::print(stderr,
+             "view: {}: {} frames, {:.3g} MB; {} bytes per particle and frame, {:.3g} after "
+             "compression; coordinates to {:.2g} (length)\n",
+             options.output, survey.frames(), 1e-6 * static_cast<double>(bytes),
+             page.bytes_per_particle(),
+             static_cast<double>(bytes) / static_cast<double>(std::max<std::size_t>(1, particles)),
+             page.position_error());
+}
+
+int write_view(const ViewOptions& options) {
+  ViewSurvey survey(options.up == "y" ? 1 : 2);
+  std::string first_file;
+  std::size_t particles = 0;
+  const int code = for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
+    if (first_file.empty())
+      first_file = chosen.frame.place.file;
+    survey.add(chosen.frame, chosen.set);
+    particles += chosen.set.particles.size();
+  });
+  if (code != exit_good)
+    return code;
+  ViewSettings settings;
+  settings.title =
+      options.title.empty() ? std::filesystem::path(first_file).filename().string() : options.title;
+  settings.colour_by = options.colour_by;
+  settings.up = options.up == "y" ? 1 : 2;
+  settings.has_contacts = !options.no_contacts;
+  settings.has_forces = !options.contacts.files.empty();
+  fill_colours(settings);
+  add_walls(options, first_file, settings);
+  ViewPage page(survey, settings);
+  const int second = for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
+    page.add(chosen.frame, chosen.set, contacts_of(options, chosen));
+  });
+  if (second != exit_good)
+    return second;
+  const std::string html = page.html();
+  write_text(options.output, html);
+  say_sizes(options, survey, page, particles, html.size());
+  return exit_good;
+}
+
+void add_force_options(CLI::App& command, ContactListOptions& options) {
+  auto* contacts = add_contact_list_options(command, options, "force chains and forces to read");
+  auto* forces = command.add_option("--force-columns", options.columns.forces,
+                                    "of the contact list: the force");
+  auto* normals = command.add_option("--normal-columns", options.columns.normals,
+                                     "of the contact list: the normal; then only the normal part "
+                                     "of the force is shown");
+  forces->expected(3)->needs(contacts);
+  normals->expected(3)->needs(contacts);
+  contacts->needs(forces);
+}
+
+} // namespace
+
+void add_view_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<ViewOptions>();
+  options->frames.frames = "all";
+  CLI::App* command = program.add_subcommand(
+      "view", "one web page in which a run can be turned, played, cut and read");
+  command->footer(
+      "The page needs a browser with WebGL2 (any of 2023 or later) and nothing else: no "
+      "network, no server, no other file. Bodies are drawn exactly, pixel by pixel.");
+  add_frame_options(*command, options->frames);
+  command->add_option("--output,-o", options->output, "file name, ends in .html")
+      ->required()
+      ->check(check_by([](const std::string& name) {
+        if (std::filesystem::path(name).extension() != ".html")
+          throw InputError("'" + name + "' does not end in .html");
+      }));
+  add_up_option(*command, options->up);
+  command->add_option("--title", options->title, "words above the picture")
+      ->default_str("name of the first file");
+  command
+      ->add_option(
+          "--colour,--color", options->colour_by,
+          "column that the page opens with: speed, spin, angle, tilt, type, or one of the file")
+      ->capture_default_str();
+  command->add_option("--log", options->log, "the run's log, for its walls and meshes")
+      ->check(CLI::ExistingFile)
+      ->default_str("the log beside the first file, if there is one");
+  command->add_option("--mesh", options->meshes, "STL files to show, in place of the log's meshes")
+      ->check(CLI::ExistingFile);
+  auto* no_walls = command->add_flag("--no-walls", options->no_walls, "without the log's walls");
+  no_walls->excludes("--log");
+  auto* no_contacts =
+      command->add_flag("--no-contacts", options->no_contacts, "without contacts: smaller, faster");
+  add_force_options(*command, options->contacts);
+  no_contacts->excludes("--contacts");
+  command->callback([options, &exit_code] {
+    try {
+      exit_code = write_view(*options);
+    } catch (const InputError& error) {
+      report_error(error.what());
+      exit_code = exit_bad_data;
+    }
+  });
+}
+
+} // namespace ellipsoid::post

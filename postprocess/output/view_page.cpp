@@ -1,0 +1,299 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "view_page.h"
+
+#include "html.h"
+#include "view_data.h"
+#include "view_files.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace ellipsoid::post {
+namespace {
+
+using nlohmann::json;
+
+constexpr double scale_steps = 1e5; ///< spheres of templates are compared to this share of the size
+
+double component(const Vector3& v, unsigned axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+json numbers(const Vector3& v) { return {v.x, v.y, v.z}; }
+
+std::string data_element(const std::string& id, const PackedColumns& columns) {
+  return fmt::format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", id, columns.text());
+}
+
+/// Spheres of a body in its own frame, x y z R in units of its largest semi-axis.
+std::vector<float> spheres_in_body(const ParticleSet& set, const Particle& p) {
+  const Rotation3 turn = rotation(p.orientation);
+  const double scale = 1.0 / p.largest_axis();
+  std::vector<float> spheres;
+  for (std::size_t k = p.first_sphere; k < p.first_sphere + p.sphere_count; ++k) {
+    const Vector3 place = scale * turn.to_body(set.spheres[k].centre - p.centre);
+    for (const double value : {place.x, place.y, place.z, scale * set.spheres[k].radius})
+      spheres.push_back(static_cast<float>(value));
+  }
+  return spheres;
+}
+
+/// The box as its lower corner and three edges; nothing without a box.
+json box_json(const Box& box) {
+  json edges = json::array();
+  bool has_volume = true;
+  for (unsigned k = 0; k < 3; ++k) {
+    std::array<double, 3> edge{};
+    edge[k] = box.upper[k] - box.lower[k];
+    has_volume = has_volume && edge[k] > 0.0;
+    edges.push_back(edge);
+  }
+  if (!has_volume)
+    return nullptr;
+  return {{"origin", {box.lower[0], box.lower[1], box.lower[2]}}, {"edges", edges}};
+}
+
+std::string time_text(const Frame& frame) {
+  if (frame.time)
+    return fmt::format("t = {:.6g}{}", *frame.time,
+                       frame.units.empty() || frame.units == "si" ? " s" : "");
+  return fmt::format("time step {}", frame.timestep);
+}
+
+/// Text inside a script element: nothing in it may end the element.
+std::string script_safe(std::string text) {
+  for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3))
+    text.replace(at, 2, "<\\/");
+  return text;
+}
+
+} // namespace
+
+void ViewSurvey::add(const Frame& frame, const ParticleSet& set) {
+  constexpr std::size_t most_templates = 10000;
+  for (const Particle& p : set.particles) {
+    if (m_bodies.empty()) {
+      m_plane = p.centre.z;
+      m_smallest_axis = p.smallest_axis();
+      for (unsigned k = 0; k < 3; ++k)
+        m_bounds.lower[k] = m_bounds.upper[k] = component(p.centre, k);
+    }
+    const double reach = p.largest_axis();
+    for (unsigned k = 0; k < 3; ++k) {
+      m_bounds.lower[k] = std::min(m_bounds.lower[k], component(p.centre, k) - reach);
+      m_bounds.upper[k] = std::max(m_bounds.upper[k], component(p.centre, k) + reach);
+    }
+    m_is_planar = m_is_planar && std::abs(p.centre.z - m_plane) <= 1e-6 * reach;
+    m_smallest_axis = std::min(m_smallest_axis, p.smallest_axis());
+    const double number = template_of(set, p);
+    m_bodies.emplace(
+        Body{static_cast<double>(p.id), p.semiaxes.x, p.semiaxes.y, p.semiaxes.z, number},
+        static_cast<std::uint32_t>(m_bodies.size()));
+    if (m_templates.size() > most_templates)
+      throw InputError(fmt::format("{}: more than {} kinds of bodies of spheres; the file does not "
+                                   "tell how its bodies are turned (columns quat1..quat4)",
+                                   frame.place.file, most_templates));
+  }
+  add_columns(frame, set);
+  ++m_frames;
+}
+
+/// 0 for smooth ellipsoids.
+std::uint32_t ViewSurvey::template_of(const ParticleSet& set, const Particle& p) {
+  if (p.is_smooth())
+    return 0;
+  std::vector<float> spheres = spheres_in_body(set, p);
+  std::vector<long> key;
+  for (const float value : spheres)
+    key.push_back(std::lround(scale_steps * static_cast<double>(value)));
+  const auto [place, is_new] =
+      m_templates.emplace(std::move(key), static_cast<std::uint32_t>(m_templates.size() + 1));
+  if (is_new)
+    m_spheres.push_back(std::move(spheres));
+  return place->second;
+}
+
+void ViewSurvey::add_columns(const Frame& frame, const ParticleSet& set) {
+  const std::vector<ViewColumn> columns = view_columns(frame, set, m_up);
+  if (m_frames == 0)
+    for (const ViewColumn& column : columns)
+      m_columns.emplace_back(column);
+  const auto named = [&](const std::string& name) {
+    return std::find_if(columns.begin(), columns.end(),
+                        [&](const ViewColumn& column) { return column.name == name; });
+  };
+  m_columns.erase(std::remove_if(m_columns.begin(), m_columns.end(),
+                                 [&](const ColumnRange& range) {
+                                   return named(range.name()) == columns.end();
+                                 }),
+                  m_columns.end());
+  for (ColumnRange& range : m_columns)
+    range.add(named(range.name())->values);
+}
+
+ViewPage::ViewPage(ViewSurvey survey, ViewSettings settings)
+    : m_survey(std::move(survey)), m_settings(std::move(settings)) {
+  constexpr double largest_error = 1e-3; ///< of a coordinate, share of the smallest semi-axis
+  double longest = 0.0;
+  for (unsigned k = 0; k < 3; ++k)
+    longest = std::max(longest, m_survey.m_bounds.upper[k] - m_survey.m_bounds.lower[k]);
+  m_step = longest / 65535.0;
+  m_is_fine = 0.5 * m_step > largest_error * m_survey.m_smallest_axis;
+  if (m_is_fine)
+    m_step = longest / 4294967295.0;
+}
+
+std::size_t ViewPage::bytes_per_particle() const {
+  return 4 + (m_is_fine ? 12 : 6) + 6 + 2 * m_survey.m_columns.size();
+}
+
+void ViewPage::add(const Frame& frame, const ParticleSet& set,
+                   const std::vector<ViewContact>& contacts) {
+  PackedColumns packed;
+  std::vector<std::uint32_t> bodies;
+  std::array<std::vector<std::uint32_t>, 3> places;
+  std::array<std::vector<std::uint16_t>, 3> turns;
+  for (const Particle& p : set.particles) {
+    const double number = m_survey.template_of(set, p);
+    const auto body = m_survey.m_bodies.find(
+        {static_cast<double>(p.id), p.semiaxes.x, p.semiaxes.y, p.semiaxes.z, number});
+    if (body == m_survey.m_bodies.end())
+      throw InputError(frame.place.file +
+                       ": changed while it was read; start again when it is whole");
+    bodies.push_back(body->second);
+    for (unsigned k = 0; k < 3; ++k)
+      places[k].push_back(static_cast<std::uint32_t>(std::llround(
+          (component(p.centre, k) - m_survey.m_bounds.lower[k]) / std::max(m_step, 1e-300))));
+    const auto turn = packed_quaternion(p.orientation);
+    for (unsigned k = 0; k < 3; ++k)
+      turns[k].push_back(turn[k]);
+  }
+  packed.add(bodies);
+  for (const auto& place : places)
+    if (m_is_fine)
+      packed.add(place);
+    else
+      packed.add(std::vector<std::uint16_t>(place.begin(), place.end()));
+  for (const auto& turn : turns)
+    packed.add(turn);
+
+  for (const ColumnRange& range : m_survey.m_columns)
+    for (const ViewColumn& column : view_columns(frame, set, m_survey.m_up))
+      if (column.name == range.name()) {
+        std::vector<std::uint16_t> codes;
+        for (const double value : column.values)
+          codes.push_back(range.code_of(value));
+        packed.add(codes);
+      }
+
+  std::vector<std::uint32_t> first, second;
+  std::vector<float> force, overlap;
+  for (const ViewContact& contact : contacts) {
+    first.push_back(static_cast<std::uint32_t>(contact.i));
+    second.push_back(static_cast<std::uint32_t>(contact.j));
+    force.push_back(static_cast<float>(contact.force));
+    overlap.push_back(static_cast<float>(contact.overlap));
+    m_largest_force = std::max(m_largest_force, contact.force);
+  }
+  packed.add(first);
+  packed.add(second);
+  packed.add(force);
+  packed.add(overlap);
+
+  const json about = {{"count", set.particles.size()},
+                      {"contacts", contacts.size()},
+                      {"step", frame.timestep},
+                      {"time_text", time_text(frame)},
+                      {"box", box_json(frame.box)}};
+  m_frames_json += (m_frames ? "," : "") + about.dump();
+  m_data += data_element(fmt::format("frame-{}", m_frames++), packed);
+}
+
+std::string ViewPage::columns_json() const {
+  json columns = json::array();
+  for (const ColumnRange& range : m_survey.m_columns) {
+    json column = {{"name", range.name()},
+                   {"unit", range.unit()},
+                   {"map", range.is_cyclic() ? "cyclic" : "even"}};
+    if (range.is_of_kinds()) {
+      column["kinds"] = range.kinds();
+    } else {
+      const bool has_values = range.low() <= range.high();
+      column["low"] = has_values ? range.low() : 0.0;
+      column["high"] = has_values ? range.high() : 1.0;
+      const auto [low, high] = has_values ? range.shown() : std::pair(0.0, 1.0);
+      column["shown"] = {low, high};
+    }
+    columns.push_back(column);
+  }
+  return columns.dump();
+}
+
+std::string ViewPage::html() const {
+  PackedColumns bodies;
+  std::vector<ViewSurvey::Body> ordered(m_survey.m_bodies.size());
+  for (const auto& [body, number] : m_survey.m_bodies)
+    ordered[number] = body;
+  std::vector<std::uint32_t> low, high, number;
+  std::array<std::vector<float>, 3> axes;
+  for (const auto& body : ordered) {
+    const auto id = static_cast<std::uint64_t>(body[0]);
+    low.push_back(static_cast<std::uint32_t>(id & 0xffffffffu));
+    high.push_back(static_cast<std::uint32_t>(id >> 32));
+    for (unsigned k = 0; k < 3; ++k)
+      axes[k].push_back(static_cast<float>(body[k + 1]));
+    number.push_back(static_cast<std::uint32_t>(body[4]));
+  }
+  bodies.add(low);
+  bodies.add(high);
+  for (const auto& axis : axes)
+    bodies.add(axis);
+  bodies.add(number);
+  std::string data = data_element("bodies", bodies);
+
+  json templates = json::array(), walls = json::array(), meshes = json::array();
+  std::size_t first = 0;
+  for (const auto& spheres : m_survey.m_spheres) {
+    templates.push_back({{"first", first}, {"spheres", spheres}});
+    first += spheres.size() / 4;
+  }
+  for (const ViewWall& wall : m_settings.walls)
+    walls.push_back({{"point", numbers(wall.point)}, {"normal", numbers(wall.normal)}});
+  for (const ViewMesh& mesh : m_settings.meshes) {
+    PackedColumns corners;
+    corners.add(mesh.corners);
+    data += data_element(fmt::format("mesh-{}", meshes.size()), corners);
+    meshes.push_back({{"name", mesh.name}});
+  }
+  const auto& bounds = m_survey.m_bounds;
+  json header = {{"title", m_settings.title},
+                 {"up", m_settings.up == 1 || m_survey.m_is_planar ? "y" : "z"},
+                 {"planar", m_survey.m_is_planar},
+                 {"colour_by", m_settings.colour_by},
+                 {"length_unit", "length"},
+                 {"bodies", ordered.size()},
+                 {"bounds", {{"lower", bounds.lower}, {"upper", bounds.upper}}},
+                 {"position",
+                  {{"bytes", m_is_fine ? 4 : 2},
+                   {"origin", bounds.lower},
+                   {"step", {m_step, m_step, m_step}}}},
+                 {"columns", json::parse(columns_json())},
+                 {"frames", json::parse("[" + m_frames_json + "]")},
+                 {"templates", templates},
+                 {"walls", walls},
+                 {"meshes", meshes},
+                 {"has_contacts", m_settings.has_contacts},
+                 {"has_forces", m_settings.has_forces},
+                 {"largest_force", m_largest_force},
+                 {"maps",
+                  {{"even", m_settings.even_colours},
+                   {"cyclic", m_settings.cyclic_colours},
+                   {"kinds", m_settings.kind_colours}}}};
+  return view_html({{"TITLE", html_safe(m_settings.title)},
+                    {"HEADER", script_safe(header.dump())},
+                    {"DATA", data + m_data}});
+}
+
+} // namespace ellipsoid::post

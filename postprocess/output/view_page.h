@@ -1,0 +1,100 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// A run as one web page that can be turned, played and read (folder view/): first a survey of all
+// frames (which bodies there are, ranges of all values), then the frames themselves.
+#pragma once
+
+#include "contacts.h"
+#include "frame.h"
+#include "particles.h"
+#include "view_columns.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ellipsoid::post {
+
+struct ViewWall {
+  Vector3 point, normal; ///< normal: unit
+};
+
+struct ViewMesh {
+  std::string name;
+  std::vector<float> corners; ///< 9 numbers a triangle (length)
+};
+
+using ByteColour = std::array<int, 3>;
+
+struct ViewSettings {
+  std::string title, colour_by;
+  unsigned up = 2; ///< axis
+  std::vector<ViewWall> walls;
+  std::vector<ViewMesh> meshes;
+  bool has_contacts = false, has_forces = false;
+  std::vector<ByteColour> even_colours, cyclic_colours, kind_colours;
+};
+
+/// A contact of a view.
+struct ViewContact {
+  std::size_t i = 0, j = 0;          ///< particles of the set
+  double force = 0.0, overlap = 0.0; ///< (force), (length)
+};
+
+/// What has to be known of all frames before the first one is written.
+class ViewSurvey {
+ public:
+  explicit ViewSurvey(unsigned up) : m_up(up) {}
+  /// Throws InputError when the file does not tell how the bodies of spheres are turned.
+  void add(const Frame& frame, const ParticleSet& set);
+
+  std::size_t frames() const { return m_frames; }
+  bool is_planar() const { return m_is_planar; }
+
+ private:
+  friend class ViewPage;
+  /// id, semi-axes, template: what a body keeps.
+  using Body = std::array<double, 5>;
+
+  void add_columns(const Frame& frame, const ParticleSet& set);
+  std::uint32_t template_of(const ParticleSet& set, const Particle& p);
+
+  unsigned m_up;
+  std::size_t m_frames = 0;
+  bool m_is_planar = true;
+  double m_plane = 0.0, m_smallest_axis = 0.0;
+  Box m_bounds; ///< of all bodies in all frames
+  std::map<Body, std::uint32_t> m_bodies;
+  std::map<std::vector<long>, std::uint32_t> m_templates; ///< rounded spheres -> number from 1 on
+  std::vector<std::vector<float>> m_spheres;              ///< x y z R in units of the largest axis
+  std::vector<ColumnRange> m_columns;                     ///< those that all frames have
+};
+
+/// The page, frame by frame.
+class ViewPage {
+ public:
+  ViewPage(ViewSurvey survey, ViewSettings settings);
+  /// The same frames as in the survey, in the same order. Throws InputError if they are others.
+  void add(const Frame& frame, const ParticleSet& set, const std::vector<ViewContact>& contacts);
+  std::string html() const;
+
+  /// Bytes before compression.
+  std::size_t bytes_per_particle() const;
+  /// Largest error of a coordinate (length).
+  double position_error() const { return 0.5 * m_step; }
+
+ private:
+  std::string columns_json() const;
+
+  ViewSurvey m_survey;
+  ViewSettings m_settings;
+  double m_step;  ///< of coordinates (length)
+  bool m_is_fine; ///< 4 bytes a coordinate instead of 2
+  double m_largest_force = 0.0;
+  std::string m_frames_json, m_data;
+  std::size_t m_frames = 0;
+};
+
+} // namespace ellipsoid::post

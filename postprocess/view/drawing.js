@@ -1,0 +1,231 @@
+// The picture: one canvas of WebGL2.
+
+class Drawing {
+  constructor(canvas) {
+    this.canvas = canvas;
+    const gl = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true });
+    if (!gl) throw new Error("This browser offers no WebGL2: open the page in a browser of 2022 or later.");
+    this.gl = gl;
+    this.bodies_program = this.program(body_vertex_shader, body_fragment_shader);
+    this.plain_program = this.program(plain_vertex_shader, plain_fragment_shader);
+    this.chain_program = this.program(chain_vertex_shader, plain_fragment_shader.replace("in vec3 seen_at;", "const vec3 seen_at = vec3(0.0);"));
+    this.bodies = this.data_texture();
+    this.spheres = this.data_texture();
+    this.colours = this.data_texture();
+    this.groups = [];   // bodies of one template: {first sphere, spheres, index buffer, count}
+    this.surfaces = []; // triangles of walls and meshes
+    this.lines = null;
+    this.chains = null;
+    gl.enable(gl.DEPTH_TEST);
+  }
+
+  program(vertex, fragment) {
+    const gl = this.gl, program = gl.createProgram();
+    for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, text);
+      gl.compileShader(shader);
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
+    const places = {};
+    for (let k = 0; k < gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); ++k) {
+      const name = gl.getActiveUniform(program, k).name;
+      places[name] = gl.getUniformLocation(program, name);
+    }
+    return { program, places };
+  }
+
+  data_texture() {
+    const gl = this.gl, texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, side, gl.NEAREST);
+    for (const side of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, side, gl.CLAMP_TO_EDGE);
+    return texture;
+  }
+
+  /// Four numbers a texel, row by row.
+  fill_texture(texture, texels) {
+    const gl = this.gl, width = 2048, height = Math.max(1, Math.ceil(texels.length / 4 / width));
+    const padded = texels.length === 4 * width * height ? texels : new Float32Array(4 * width * height);
+    if (padded !== texels) padded.set(texels);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, width, height, 0, gl.RGBA, gl.FLOAT, padded);
+  }
+
+  set_colours(colours) { // [[r, g, b], ...] from 0 to 255
+    const gl = this.gl, bytes = new Uint8Array(4 * colours.length);
+    colours.forEach((colour, k) => bytes.set([...colour, 255], 4 * k));
+    gl.bindTexture(gl.TEXTURE_2D, this.colours);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, colours.length, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+  }
+
+  buffer(values) {
+    const gl = this.gl, buffer = gl.createBuffer();
+    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+    gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
+    return buffer;
+  }
+
+  set_spheres(texels) { this.fill_texture(this.spheres, texels); }
+
+  /// @param texels 12 numbers a body; @param groups [{sphere_first, sphere_count, members: Uint32Array}]
+  set_bodies(texels, groups) {
+    const gl = this.gl;
+    this.fill_texture(this.bodies, texels);
+    for (const group of this.groups) { gl.deleteBuffer(group.buffer); gl.deleteVertexArray(group.array); }
+    this.groups = groups.filter((group) => group.members.length).map((group) => {
+      const array = gl.createVertexArray();
+      gl.bindVertexArray(array);
+      const buffer = this.buffer(group.members);
+      gl.enableVertexAttribArray(0);
+      gl.vertexAttribIPointer(0, 1, gl.UNSIGNED_INT, 0, 0);
+      gl.vertexAttribDivisor(0, Math.max(1, group.sphere_count));
+      gl.bindVertexArray(null);
+      return { ...group, array, buffer };
+    });
+  }
+
+  vertices(values, attributes, divisor) {
+    const gl = this.gl, array = gl.createVertexArray();
+    gl.bindVertexArray(array);
+    const buffer = this.buffer(values), stride = 4 * attributes.reduce((sum, size) => sum + size, 0);
+    let offset = 0;
+    attributes.forEach((size, k) => {
+      gl.enableVertexAttribArray(k);
+      gl.vertexAttribPointer(k, size, gl.FLOAT, false, stride, offset);
+      gl.vertexAttribDivisor(k, divisor);
+      offset += 4 * size;
+    });
+    gl.bindVertexArray(null);
+    return { array, buffer, count: 4 * values.length / stride };
+  }
+
+  release(vertices) {
+    if (!vertices) return;
+    this.gl.deleteBuffer(vertices.buffer);
+    this.gl.deleteVertexArray(vertices.array);
+  }
+
+  set_lines(points) { this.release(this.lines); this.lines = this.vertices(points, [3], 0); }
+  add_surface(points, paint) { this.surfaces.push({ ...this.vertices(points, [3], 0), paint }); }
+  set_chains(values) { this.release(this.chains); this.chains = values.length ? this.vertices(values, [3, 3, 1], 1) : null; }
+
+  resize() {
+    const ratio = window.devicePixelRatio || 1;
+    const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
+    const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
+    if (this.canvas.width !== width || this.canvas.height !== height) {
+      this.canvas.width = width;
+      this.canvas.height = height;
+    }
+  }
+
+  use({ program, places }, camera) {
+    const gl = this.gl;
+    gl.useProgram(program);
+    gl.uniformMatrix4fv(places.projection, false, camera.projection(this.canvas.width / this.canvas.height));
+    gl.uniformMatrix3fv(places.turn, false, matrix_of(camera.turn));
+    gl.uniform3fv(places.target, camera.target);
+    gl.uniform1f(places.distance_, camera.distance);
+    return places;
+  }
+
+  draw_bodies(camera, shown, picking) {
+    const gl = this.gl, places = this.use(this.bodies_program, camera);
+    [[this.bodies, places.bodies], [this.spheres, places.spheres], [this.colours, places.colours]].forEach(
+        ([texture, place], unit) => {
+          gl.activeTexture(gl.TEXTURE0 + unit);
+          gl.bindTexture(gl.TEXTURE_2D, texture);
+          gl.uniform1i(place, unit);
+        });
+    gl.uniform3fv(places.cut_low, shown.cut_low);
+    gl.uniform3fv(places.cut_high, shown.cut_high);
+    gl.uniform2fv(places.colour_range, shown.colour_range);
+    gl.uniform1i(places.by_kind, shown.by_kind ? 1 : 0);
+    gl.uniform1i(places.picking, picking ? 1 : 0);
+    gl.uniform1ui(places.selected, shown.selected + 1);
+    for (const group of this.groups) {
+      gl.uniform1i(places.sphere_first, group.sphere_first);
+      gl.uniform1i(places.sphere_count, group.sphere_count);
+      gl.bindVertexArray(group.array);
+      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, group.members.length * Math.max(1, group.sphere_count));
+    }
+    gl.bindVertexArray(null);
+  }
+
+  draw(camera, shown) {
+    const gl = this.gl;
+    this.resize();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+    gl.clearColor(...shown.back, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    if (shown.particles) this.draw_bodies(camera, shown, false);
+    if (shown.box && this.lines) {
+      const places = this.use(this.plain_program, camera);
+      gl.uniform4fv(places.paint, [...shown.ink, 1]);
+      gl.uniform1i(places.shaded, 0);
+      gl.bindVertexArray(this.lines.array);
+      gl.drawArrays(gl.LINES, 0, this.lines.count);
+    }
+    if (shown.chains && this.chains) {
+      const places = this.use(this.chain_program, camera);
+      gl.uniform4fv(places.paint, shown.chain_paint);
+      gl.uniform1i(places.shaded, 0);
+      gl.bindVertexArray(this.chains.array);
+      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, this.chains.count);
+    }
+    if (shown.walls) this.draw_surfaces(camera);
+    gl.bindVertexArray(null);
+  }
+
+  draw_surfaces(camera) {
+    const gl = this.gl, places = this.use(this.plain_program, camera);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    gl.depthMask(false);
+    gl.uniform1i(places.shaded, 1);
+    for (const surface of this.surfaces) {
+      gl.uniform4fv(places.paint, surface.paint);
+      gl.bindVertexArray(surface.array);
+      gl.drawArrays(gl.TRIANGLES, 0, surface.count);
+    }
+    gl.depthMask(true);
+    gl.disable(gl.BLEND);
+  }
+
+  /// The body at a point of the page, or -1.
+  pick(x, y, camera, shown) {
+    const gl = this.gl, width = this.canvas.width, height = this.canvas.height;
+    if (!this.picture || this.picture.width !== width || this.picture.height !== height) {
+      const frame = gl.createFramebuffer(), colour = gl.createRenderbuffer(), depth = gl.createRenderbuffer();
+      gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+      for (const [buffer, format, place] of [[colour, gl.RGBA8, gl.COLOR_ATTACHMENT0], [depth, gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]]) {
+        gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
+        gl.renderbufferStorage(gl.RENDERBUFFER, format, width, height);
+        gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer);
+      }
+      if (this.picture) {
+        gl.deleteFramebuffer(this.picture.frame);
+        this.picture.buffers.forEach((buffer) => gl.deleteRenderbuffer(buffer));
+      }
+      this.picture = { width, height, frame, buffers: [colour, depth] };
+    }
+    const column = Math.floor(x * width / this.canvas.clientWidth), row = height - 1 - Math.floor(y * height / this.canvas.clientHeight);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.picture.frame);
+    gl.viewport(0, 0, width, height);
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(column, row, 1, 1);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    this.draw_bodies(camera, shown, true);
+    gl.disable(gl.SCISSOR_TEST);
+    const bytes = new Uint8Array(4);
+    gl.readPixels(column, row, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    return bytes[0] + 256 * bytes[1] + 65536 * bytes[2] + 16777216 * bytes[3] - 1;
+  }
+}

@@ -1,0 +1,99 @@
+// From the data to what is drawn: places in units of the scene, colours, force chains, walls.
+
+const no_value = -1e30; // in place of a colour's value
+
+class Scene {
+  constructor(bodies) {
+    this.bodies = bodies;
+    const { lower, upper } = header.bounds;
+    this.centre = lower.map((low, k) => (low + upper[k]) / 2);
+    this.radius = Math.hypot(...lower.map((low, k) => upper[k] - low)) / 2 || 1;
+  }
+
+  /// A place in the file's unit, in units of the scene.
+  place(point) { return point.map((x, k) => (x - this.centre[k]) / this.radius); }
+
+  sphere_texels() {
+    const texels = [];
+    for (const template of header.templates) texels.push(...template.spheres);
+    return new Float32Array(texels.length ? texels : 4);
+  }
+
+  /// 12 numbers a body: centre and value, quaternion, semi-axes and scale.
+  texels(frame, column) {
+    const n = frame.count, out = new Float32Array(12 * n), bodies = this.bodies;
+    const values = column < 0 ? null : frame.columns[column], about = header.columns[column];
+    const factor = about && !about.kinds ? (about.high - about.low) / largest_code : 1, low = about && !about.kinds ? about.low : 0;
+    for (let p = 0; p < n; ++p) {
+      const at = 12 * p, body = frame.body[p];
+      for (let k = 0; k < 3; ++k)
+        out[at + k] = (coordinate(frame, k, p) - this.centre[k]) / this.radius;
+      out[at + 3] = values ? (values[p] === missing_code ? no_value : low + factor * values[p]) : 0;
+      unpack_quaternion(frame.turn[0][p], frame.turn[1][p], frame.turn[2][p], out, at + 4);
+      const a = bodies.a[body] / this.radius, b = bodies.b[body] / this.radius, c = bodies.c[body] / this.radius;
+      out[at + 8] = a; out[at + 9] = b; out[at + 10] = c;
+      out[at + 11] = Math.max(a, b, c);
+    }
+    return out;
+  }
+
+  /// Particles of a frame by template; template 0 is the smooth ellipsoid.
+  groups(frame) {
+    const counts = new Array(header.templates.length + 1).fill(0);
+    for (let p = 0; p < frame.count; ++p) ++counts[this.bodies.template[frame.body[p]]];
+    const groups = counts.map((count, k) => ({ members: new Uint32Array(count), sphere_first: k ? header.templates[k - 1].first : 0,
+                                               sphere_count: k ? header.templates[k - 1].spheres.length / 4 : 0 }));
+    const filled = counts.map(() => 0);
+    for (let p = 0; p < frame.count; ++p) {
+      const template = this.bodies.template[frame.body[p]];
+      groups[template].members[filled[template]++] = p;
+    }
+    return groups;
+  }
+
+  /// A ribbon from centre to centre for each pair, its area by the force.
+  chains(frame) {
+    const { contacts } = frame, out = [], largest = header.largest_force || 1;
+    const centre = (p) => this.place([0, 1, 2].map((k) => coordinate(frame, k, p)));
+    for (let c = 0; c < contacts.count; ++c) {
+      const from = centre(contacts.i[c]), to = centre(contacts.j[c]);
+      if (Math.hypot(...from.map((x, k) => to[k] - x)) > this.chain_limit(frame, contacts.i[c], contacts.j[c])) continue; // across a periodic face
+      out.push(...from, ...to, 0.5 * this.bodies.c[frame.body[contacts.i[c]]] / this.radius * Math.sqrt(contacts.force[c] / largest));
+    }
+    return new Float32Array(out);
+  }
+
+  chain_limit(frame, i, j) {
+    const reach = (p) => Math.max(this.bodies.a[frame.body[p]], this.bodies.b[frame.body[p]], this.bodies.c[frame.body[p]]);
+    return 1.05 * (reach(i) + reach(j)) / this.radius;
+  }
+
+  /// The box of a frame as lines; with tilts a prism.
+  box_lines(frame) {
+    const box = header.frames[frame.number].box, out = [];
+    const corner = (x, y, z) => this.place([0, 1, 2].map((k) =>
+        box.origin[k] + x * box.edges[0][k] + y * box.edges[1][k] + z * box.edges[2][k]));
+    if (box)
+      for (const [u, v] of [[0, 0], [0, 1], [1, 0], [1, 1]])
+        out.push(...corner(0, u, v), ...corner(1, u, v), ...corner(u, 0, v), ...corner(u, 1, v), ...corner(u, v, 0), ...corner(u, v, 1));
+    return new Float32Array(out);
+  }
+
+  /// A plane as a square that covers the scene's shadow on it.
+  plane_triangles(wall) {
+    const n = wall.normal, other = Math.abs(n[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0];
+    const cross = (p, q) => [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
+    let u = cross(n, other);
+    const length = Math.hypot(...u);
+    u = u.map((x) => x / length);
+    const v = cross(n, u), point = this.place(wall.point), height = n.reduce((sum, x, k) => sum + x * point[k], 0);
+    const at = (s, t) => n.map((x, k) => height * x + 1.05 * (s * u[k] + t * v[k]));
+    return new Float32Array([...at(-1, -1), ...at(1, -1), ...at(1, 1), ...at(-1, -1), ...at(1, 1), ...at(-1, 1)]);
+  }
+
+  async mesh_triangles(number) {
+    const values = new Float32Array(await unpacked("mesh-" + number));
+    for (let k = 0; k < values.length; ++k) values[k] = (values[k] - this.centre[k % 3]) / this.radius;
+    return values;
+  }
+}

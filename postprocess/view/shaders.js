@@ -1,0 +1,166 @@
+// Bodies are drawn as impostors: a rectangle that just covers the picture of an ellipsoid (Sigg, Weyrich,
+// Botsch, Gross 2006, GPU-based ray-casting of quadratic surfaces), in which each pixel finds its point by
+// intersecting its own ray with the ellipsoid. So outlines, cuts and depths are exact at any zoom.
+
+const common_shader = `#version 300 es
+precision highp float; precision highp int; precision highp sampler2D;
+uniform mat4 projection;
+uniform mat3 turn;      // scene to camera
+uniform vec3 target;    // in the scene
+uniform float distance_;
+vec3 seen(vec3 place) { return turn * (place - target) - vec3(0.0, 0.0, distance_); }
+`;
+
+const body_vertex_shader = common_shader + `
+layout(location = 0) in uint particle;
+uniform sampler2D bodies;   // three texels each: centre and value; quaternion; semi-axes and scale
+uniform sampler2D spheres;  // centre and radius in units of the scale
+uniform int sphere_first, sphere_count; // 0: smooth
+flat out vec3 centre, row_x, row_y, row_z;
+flat out float value;
+flat out uint which;
+out vec2 place;
+
+vec4 body_texel(int k) { int n = 3 * int(particle) + k, w = textureSize(bodies, 0).x; return texelFetch(bodies, ivec2(n % w, n / w), 0); }
+
+mat3 rotation(vec4 q) {
+  float w = q.x, x = q.y, y = q.z, z = q.w;
+  return mat3(1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y),
+              2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x),
+              2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y));
+}
+
+// Where the planes through the camera touch the body: ends of its picture in one direction.
+vec2 ends(vec4 row, vec4 last, mat3 axes) {
+  float p = dot(row, vec4(centre, 1.0)), w = dot(last, vec4(centre, 1.0));
+  vec3 u = row.xyz * axes, v = last.xyz * axes;
+  float a = w * w - dot(v, v), b = p * w - dot(u, v), c = p * p - dot(u, u);
+  if (a <= 0.0) return vec2(-1.0, 1.0);
+  float root = sqrt(max(0.0, b * b - a * c));
+  return vec2(b - root, b + root) / a;
+}
+
+void main() {
+  vec4 first = body_texel(0);
+  vec3 size = body_texel(2).xyz;
+  mat3 body = rotation(body_texel(1));
+  vec3 middle = first.xyz;
+  if (sphere_count > 0) {
+    int n = sphere_first + gl_InstanceID % sphere_count, w = textureSize(spheres, 0).x;
+    vec4 sphere = texelFetch(spheres, ivec2(n % w, n / w), 0);
+    float scale = body_texel(2).w;
+    middle += body * (sphere.xyz * scale);
+    size = vec3(sphere.w * scale);
+  }
+  centre = seen(middle);
+  value = first.w;
+  which = particle;
+  mat3 axes = turn * body;
+  vec3 inverse = 1.0 / size;
+  row_x = axes[0] * inverse.x; row_y = axes[1] * inverse.y; row_z = axes[2] * inverse.z;
+  axes = mat3(axes[0] * size.x, axes[1] * size.y, axes[2] * size.z);
+  mat4 rows = transpose(projection);
+  float depth = (rows[2].z * centre.z + rows[2].w) / dot(rows[3], vec4(centre, 1.0));
+  vec2 xs = ends(rows[0], rows[3], axes), ys = ends(rows[1], rows[3], axes);
+  place = vec2((gl_VertexID & 1) == 0 ? xs.x : xs.y, (gl_VertexID & 2) == 0 ? ys.x : ys.y);
+  gl_Position = vec4(place, clamp(depth, -0.999, 0.999), 1.0);
+}`;
+
+const body_fragment_shader = common_shader + `
+flat in vec3 centre, row_x, row_y, row_z;
+flat in float value;
+flat in uint which;
+in vec2 place;
+uniform vec3 cut_low, cut_high;  // in the scene
+uniform vec2 colour_range;
+uniform sampler2D colours;
+uniform bool by_kind, picking;
+uniform uint selected;           // number of a body + 1
+out vec4 colour;
+
+vec3 in_body(vec3 v) { return vec3(dot(row_x, v), dot(row_y, v), dot(row_z, v)); }
+
+vec3 body_colour() {
+  if (value < -1e29) return vec3(0.6);
+  if (by_kind) return texelFetch(colours, ivec2(int(value + 0.5) % textureSize(colours, 0).x, 0), 0).rgb;
+  float share = clamp((value - colour_range.x) / max(1e-30, colour_range.y - colour_range.x), 0.0, 1.0);
+  return texture(colours, vec2((share * 255.0 + 0.5) / 256.0, 0.5)).rgb;
+}
+
+void main() {
+  bool through_eye = projection[3][3] == 0.0;
+  vec2 slope = place / vec2(projection[0][0], projection[1][1]);
+  vec3 start = through_eye ? vec3(0.0) : vec3(slope, 0.0);
+  vec3 ray = through_eye ? vec3(slope, -1.0) : vec3(0.0, 0.0, -1.0);
+  float nearest = dot(centre - start, ray) / dot(ray, ray);
+  vec3 o = in_body(start + ray * nearest - centre), d = in_body(ray);
+  float dd = dot(d, d), middle = -dot(o, d) / dd;
+  vec3 m = o + middle * d;
+  float inside = 1.0 - dot(m, m);
+  if (inside < 0.0) discard;
+  float half_chord = sqrt(inside / dd);
+  float enter = nearest + middle - half_chord, leave = nearest + middle + half_chord;
+  vec3 normal = vec3(0.0);
+  for (int k = 0; k < 3; ++k) {   // the part of the chord that is not cut off
+    vec3 axis = turn[k];
+    float at = dot(axis, start + vec3(0.0, 0.0, distance_)) + target[k], along = dot(axis, ray);
+    if (abs(along) < 1e-9) {
+      if (at < cut_low[k] || at > cut_high[k]) discard;
+      continue;
+    }
+    float one = (cut_low[k] - at) / along, other = (cut_high[k] - at) / along;
+    float first = min(one, other);
+    if (first > enter) { enter = first; normal = along > 0.0 ? -axis : axis; }
+    leave = min(leave, max(one, other));
+  }
+  if (through_eye && enter < 0.0) discard;
+  if (enter >= leave) discard;
+  vec3 point = start + ray * enter;
+  bool is_cut = normal != vec3(0.0);
+  if (!is_cut) {
+    vec3 p = in_body(point - centre);
+    normal = normalize(row_x * p.x + row_y * p.y + row_z * p.z);
+  }
+  float w = through_eye ? -point.z : 1.0;
+  gl_FragDepth = 0.5 + 0.5 * (projection[2][2] * point.z + projection[3][2]) / w;
+  if (picking) {
+    uint n = which + 1u;
+    colour = vec4(float(n & 255u), float((n >> 8) & 255u), float((n >> 16) & 255u), float(n >> 24)) / 255.0;
+    return;
+  }
+  float light = 0.42 + 0.58 * max(0.0, dot(normal, normalize(vec3(-0.35, 0.55, 0.76))));
+  if (is_cut) light *= 0.82;
+  vec3 paint = which + 1u == selected ? mix(body_colour(), vec3(1.0, 0.25, 0.15), 0.75) : body_colour();
+  colour = vec4(paint * light, 1.0);
+}`;
+
+const plain_vertex_shader = common_shader + `
+layout(location = 0) in vec3 position;
+out vec3 seen_at;
+void main() { seen_at = seen(position); gl_Position = projection * vec4(seen_at, 1.0); }`;
+
+const plain_fragment_shader = common_shader + `
+in vec3 seen_at;
+uniform vec4 paint;
+uniform bool shaded;
+out vec4 colour;
+void main() {
+  float light = 1.0;
+  if (shaded) light = 0.55 + 0.45 * abs(normalize(cross(dFdx(seen_at), dFdy(seen_at))).z);
+  colour = vec4(paint.rgb * light, paint.a);
+}`;
+
+// A ribbon that faces the camera from one end to the other.
+const chain_vertex_shader = common_shader + `
+layout(location = 0) in vec3 from;
+layout(location = 1) in vec3 to;
+layout(location = 2) in float half_width;
+void main() {
+  vec3 a = seen(from), b = seen(to);
+  vec3 along = b - a, side = vec3(-along.y, along.x, 0.0);
+  float l = length(side);
+  side = l > 0.0 ? side / l * half_width : vec3(half_width, 0.0, 0.0);
+  vec3 p = ((gl_VertexID & 1) == 0 ? a : b) + ((gl_VertexID & 2) == 0 ? -side : side);
+  gl_Position = projection * vec4(p, 1.0);
+  gl_Position.z -= 0.02 * gl_Position.w;
+}`;

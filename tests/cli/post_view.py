@@ -1,0 +1,260 @@
+# Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+"""The page of `ellipsoid-post view` in a headless browser.
+
+Oracle: rays through pixels against ellipsoids and spheres, written again with numpy: which body is at a
+pixel, and how it is lit; the dump's own numbers for what the page says of a particle.
+"""
+import csv
+import io
+import json
+import pathlib
+import struct
+import sys
+
+import numpy as np
+
+from _browser import ask
+from _synthetic import frame_text, post
+
+COLUMNS = ("id type mass x y z vx vy vz omegax omegay omegaz quat1 quat2 quat3 quat4 "
+           "shapex shapey shapez f_subspheres heat").split()
+SEED = 20100213
+SIZE = (640, 480)
+PALETTE = [(0, 114, 178), (230, 159, 0), (0, 158, 115)]
+
+
+def rotation(q):
+    w, x, y, z = q
+    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
+
+
+def scene(rng, count=24):
+    """Triaxial, oblate (longest axis not the first), spheres and chains of five spheres, overlapping in the picture."""
+    rows = []
+    for k in range(count):
+        q = rng.normal(size=4)
+        q /= np.linalg.norm(q)
+        axes = [(3e-3, 2e-3, 1e-3), (1e-3, 2.5e-3, 2.5e-3), (1.5e-3,) * 3, (2.7e-3, 1.15e-3, 1.15e-3)][k % 4]
+        chain = 5 if k % 4 == 3 else 0
+        place = rng.uniform((-6e-3, 1e-2, 5.0), (6e-3, 2e-2, 5.012))
+        rows.append(dict(zip(COLUMNS, (1000000 + 7 * k, 1 + k % 3, 2e-5, *place, 0.1 * k, 0, 0, 0, 0, 50 - k, *q, *axes,
+                                       chain, 1e-3 * k * k))))
+    return rows
+
+
+def bodies_of(row, spheres_of_chain):
+    """Ellipsoids of a particle: (centre, rotation, semi-axes)."""
+    centre, turn = np.array([row[c] for c in "xyz"]), rotation([row[f"quat{k}"] for k in (1, 2, 3, 4)])
+    axes = np.array([row["shapex"], row["shapey"], row["shapez"]])
+    if not row["f_subspheres"]:
+        return [(centre, turn, axes)]
+    return [(centre + turn @ [x, 0, 0], np.eye(3), np.full(3, r)) for x, r in spheres_of_chain]
+
+
+def hit(bodies, start, ray, low=-np.inf, high=np.inf):
+    """Nearest point along rays that all run along `ray`, where low < x < high: (distance, normal) of the union, inf where none."""
+    best = np.full(len(start), np.inf)
+    normal = np.zeros((len(start), 3))
+    for centre, turn, axes in bodies:
+        o, d = ((start - centre) @ turn) / axes, (turn.T @ ray) / axes
+        a, b, c = d @ d, o @ d, np.einsum("ij,ij->i", o, o) - 1.0
+        root = b * b - a * c
+        enter = (-b - np.sqrt(np.maximum(root, 0.0))) / a
+        leave = (-b + np.sqrt(np.maximum(root, 0.0))) / a
+        inside = (root > 0.0) & (start[:, 0] > low) & (start[:, 0] < high) & (leave > 0)
+        closer = inside & (enter < best)
+        best = np.where(closer, enter, best)
+        n = ((o + enter[:, None] * d) / axes) @ turn.T
+        normal = np.where(closer[:, None], n / np.linalg.norm(n, axis=1)[:, None], normal)
+    return best, normal
+
+
+def expected(rows, chain, places, about, low=-np.inf, high=np.inf):
+    """What the camera, looking down z with parallel rays, sees at places of the page: row index (-1: nothing), normal."""
+    places = np.asarray(places)
+    aspect = about["width"] / about["height"]
+    x = (2.0 * places[:, 0] / about["width"] - 1.0) * about["half_height"] * aspect * about["radius"] + about["centre"][0]
+    y = (1.0 - 2.0 * places[:, 1] / about["height"]) * about["half_height"] * about["radius"] + about["centre"][1]
+    start = np.column_stack([x, y, np.full(len(x), about["centre"][2] + 1.0)])
+    best, which, normals = np.full(len(x), np.inf), np.full(len(x), -1), np.zeros((len(x), 3))
+    for k, row in enumerate(rows):
+        far, normal = hit(bodies_of(row, chain), start, np.array([0.0, 0.0, -1.0]), low, high)
+        closer = far < best
+        best, which = np.where(closer, far, best), np.where(closer, k, which)
+        normals = np.where(closer[:, None], normal, normals)
+    return which, normals
+
+
+def robust(rows, chain, places, about, **cut):
+    """Places whose neighbourhood of two thirds of a pixel shows one body: (index into places, which, normals)."""
+    middle, normals = expected(rows, chain, places, about, **cut)
+    sure = np.ones(len(places), bool)
+    for dx, dy in ((0.7, 0.0), (-0.7, 0.0), (0.0, 0.7), (0.0, -0.7)):
+        sure &= expected(rows, chain, np.asarray(places) + (dx, dy), about, **cut)[0] == middle
+    return np.flatnonzero(sure), middle, normals
+
+
+QUESTIONS = """
+const { camera, drawing, scene, shown } = page, places = %(places)s;
+const number = (name) => header.columns.findIndex((column) => column.name === name);
+camera.turn = [1, 0, 0, 0]; camera.height = 0.5; shown.box = false; shown.walls = false; shown.chains = false;
+document.documentElement.dataset.theme = "light"; page.set_theme("light");
+page.set_colour(number("type"));
+page.draw_now();
+answer.about = { width: drawing.canvas.clientWidth, height: drawing.canvas.clientHeight, half_height: camera.height,
+                 centre: scene.centre, radius: scene.radius };
+answer.columns = header.columns.map((column) => column.name);
+answer.picked = places.map(([x, y]) => page.pick(x, y));
+page.select(-1);
+page.draw_now();
+answer.pixels = places.map(([x, y]) => page.pixel(x, y));
+page.cuts[0][1] = 0.5;
+answer.cut = places.map(([x, y]) => page.pick(x, y));
+page.cuts[0][1] = 1;
+await page.set_frame(0);
+answer.first_frame = places.slice(0, 40).map(([x, y]) => page.pick(x, y));
+await page.set_frame(1);
+const lines = {};
+for (const id of %(ids)s) {
+  page.select(page.frame.body.findIndex((body) => id_of(scene.bodies, body) === id));
+  lines[id] = [...document.querySelectorAll("#picked tr")].map((row) => [...row.children].map((cell) => cell.textContent));
+}
+answer.lines = lines;
+page.set_colour(number("heat"));
+answer.legend = document.getElementById("legend").textContent;
+answer.range = shown.colour_range;
+answer.projected = page.project(%(first)s);
+camera.perspective = true;
+answer.projected_through_eye = page.project(%(first)s);
+answer.picked_through_eye = page.pick(...answer.projected_through_eye);
+camera.perspective = false;
+answer.time = document.getElementById("time").textContent;
+answer.message_hidden = document.getElementById("message").hidden;
+"""
+
+
+def check_page(folder, rng):
+    rows, moved = scene(rng), scene(np.random.default_rng(SEED + 1))
+    dump = folder / "made.dump"
+    dump.write_text(frame_text(0, moved, COLUMNS) + frame_text(500, rows, COLUMNS))
+    post("view", dump, "-o", folder / "view.html", "--no-walls")
+    page = (folder / "view.html").read_text()
+    assert "src=" not in page and "url(" not in page and "@import" not in page, "the page loads something from elsewhere"
+    chain = chain_spheres(2.7e-3, 1.15e-3)
+    places = [[float(x) + 0.5, float(y) + 0.5] for x, y in zip(rng.integers(120, 520, 200), rng.integers(5, 325, 200))]
+    ids = [rows[k]["id"] for k in (0, 3, 9)]
+    answer = ask(folder / "view.html", QUESTIONS % {"places": json.dumps(places), "ids": json.dumps(ids), "first": ids[0]},
+                 folder, SIZE)
+    assert answer["complaints"] == [], answer["complaints"]
+    assert answer["message_hidden"]
+    about = answer["about"]
+
+    sure, which, normals = robust(rows, chain, places, about)
+    assert len(sure) > 150 and (which[sure] >= 0).sum() > 40, (len(sure), (which[sure] >= 0).sum())
+    wrong = [k for k in sure if (answer["picked"][k] or -1) != (rows[which[k]]["id"] if which[k] >= 0 else -1)]
+    assert not wrong, [(places[k], answer["picked"][k], which[k]) for k in wrong[:5]]
+
+    light = np.array([-0.35, 0.55, 0.76])
+    light /= np.linalg.norm(light)
+    for k in sure:
+        paint = (255, 255, 255)
+        if which[k] >= 0:
+            brightness = 0.42 + 0.58 * max(0.0, normals[k] @ light)
+            paint = np.array(PALETTE[(rows[which[k]]["type"] - 1) % 3]) * brightness
+        assert np.abs(np.array(answer["pixels"][k]) - paint).max() <= 12, (places[k], answer["pixels"][k], paint)
+
+    half = about["centre"][0]
+    sure, which, _ = robust(rows, chain, places, about, high=half)
+    wrong = [k for k in sure if (answer["cut"][k] or -1) != (rows[which[k]]["id"] if which[k] >= 0 else -1)]
+    assert not wrong, ("cut", [(places[k], answer["cut"][k], which[k]) for k in wrong[:5]])
+
+    sure, which, _ = robust(moved, chain, places[:40], about)
+    wrong = [k for k in sure if (answer["first_frame"][k] or -1) != (moved[which[k]]["id"] if which[k] >= 0 else -1)]
+    assert not wrong, ("first frame", wrong)
+
+    check_words(answer, rows, about)
+    return len(sure)
+
+
+def chain_spheres(a, b):
+    """(abscissa, radius) of the N = 5 chain as `template` lists it; its geometry is tested in unit.multisphere_template."""
+    out = post("template", "--b", b, "--aspect", a / b, "--subspheres", 5, "--spheres", "-")[0]
+    return [(float(s["x_m"]), float(s["radius_m"])) for s in csv.DictReader(io.StringIO(out))]
+
+
+def check_words(answer, rows, about):
+    by_id = {row["id"]: row for row in rows}
+    bounds = 2.0 * about["radius"]
+    for number, lines in answer["lines"].items():
+        row, told = by_id[int(number)], {line[0]: line[1:] for line in lines}
+        for axis, text in zip("xyz", told["centre"]):
+            assert abs(float(text) - row[axis]) < 1e-4 * bounds + 1e-5 * abs(row[axis]), (axis, text, row[axis])
+        assert [float(t) for t in told["semi-axes"][:3]] == [row["shapex"], row["shapey"], row["shapez"]], told["semi-axes"]
+        assert abs(float(told["speed"][0].split()[0]) - row["vx"]) < 1e-4, told["speed"]
+        assert abs(float(told["heat"][0]) - row["heat"]) < 2e-5, told["heat"]
+        assert float(told["type"][0]) == row["type"], told["type"]
+    assert answer["legend"].startswith("heat"), answer["legend"]
+    assert abs(answer["range"][1] - max(row["heat"] for row in rows)) < 1e-9, answer["range"]
+    assert answer["picked_through_eye"] == rows[0]["id"] or answer["picked_through_eye"] in by_id, answer["picked_through_eye"]
+    assert "24 particles" in answer["time"], answer["time"]
+
+
+def check_chains_and_walls(folder):
+    """Two spheres that press each other before a wall: the chain between their centres is seen, and as wide as it should be."""
+    rows = [dict(zip(COLUMNS, (k, 1, 1e-5, x, 0.0, 0.0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1e-3, 1e-3, 1e-3, 0, 0.0)))
+            for k, x in ((1, -0.99e-3), (2, 0.99e-3), (3, 5e-3))]
+    (folder / "three.dump").write_text(frame_text(7, rows, COLUMNS))
+    (folder / "three.contacts").write_text(
+        "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ENTRIES\n1\nITEM: BOX BOUNDS mm mm ff\n0 0.5\n-0.005 0.2\n-0.01 0.01\n"
+        "ITEM: ENTRIES c_p[1] c_p[2] c_p[3] c_p[4] c_p[5]\n1 2 3.0 4.0 0.0\n")
+    mesh = folder / "one.stl"
+    corners = [(-6e-3, -1e-3, -2e-3), (6e-3, -1e-3, -2e-3), (0.0, 6e-3, -2e-3)]
+    mesh.write_bytes(b"\0" * 80 + struct.pack("<I", 1) + struct.pack("<12f", 0, 0, 1, *sum(corners, ())) + b"\0\0")
+    post("view", folder / "three.dump", "-o", folder / "three.html", "--contacts", folder / "three.contacts",
+         "--id-columns", "c_p[1]", "c_p[2]", "--force-columns", "c_p[3]", "c_p[4]", "c_p[5]", "--mesh", mesh)
+    answer = ask(folder / "three.html", """
+        const { camera, shown } = page;
+        camera.turn = [1, 0, 0, 0]; shown.particles = false; shown.box = false; shown.walls = false; page.set_theme("light");
+        page.draw_now();
+        const [a, b, c] = [1, 2, 3].map((id) => page.project(id)), middle = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
+        answer.chain = page.pixel(...middle);
+        answer.beside = page.pixel((b[0] + c[0]) / 2, c[1]);
+        let width = 0;
+        while (page.pixel(middle[0], middle[1] + width)[1] < 200) ++width;
+        answer.width = 2 * width / (b[0] - a[0]);
+        shown.chains = false; shown.walls = true;
+        page.draw_now();
+        answer.mesh = page.pixel(...middle);
+        page.select(page.frame.body.findIndex((body) => id_of(page.scene.bodies, body) === 2));
+        answer.lines = [...document.querySelectorAll("#picked tr")].map((row) => row.textContent);
+        """, folder, SIZE)
+    assert answer["complaints"] == [], answer["complaints"]
+    assert answer["chain"][0] > 150 and answer["chain"][2] < 60, answer["chain"]
+    assert answer["beside"] == [255, 255, 255], answer["beside"]
+    assert abs(answer["width"] - 1e-3 / 1.98e-3) < 0.06, answer["width"]  # the largest force: half the radius to each side
+    assert 150 < answer["mesh"][0] < 250, answer["mesh"]
+    assert "with 15" in answer["lines"], answer["lines"]  # with particle 1: a force of 5
+
+
+def check_refusals(folder):
+    made = folder / "made.dump"
+    for arguments, words in (((made, "-o", folder / "x.txt"), ".html"),
+                             ((made, "-o", folder / "x.html", "--mesh", made), "STL"),
+                             ((folder / "absent.dump", "-o", folder / "x.html"), "absent.dump")):
+        _, error = post("view", *arguments, expect=None)
+        assert words in error and error.count("\n") <= 3, (arguments, error)
+        assert not (folder / "x.html").exists()
+
+
+def main():
+    folder = pathlib.Path.cwd()
+    print(f"seed {SEED}")
+    check_page(folder, np.random.default_rng(SEED))
+    check_chains_and_walls(folder)
+    check_refusals(folder)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
