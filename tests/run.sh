@@ -9,7 +9,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../inputs/setup.sh"
 
 # what checks the sources and the pages
-wanted_packages+=(clang-format clang-tidy python3-sphinx python3-myst-parser python3-sphinx-rtd-theme)
+wanted_packages+=(chromium clang-format clang-tidy python3-sphinx python3-myst-parser python3-sphinx-rtd-theme)
 
 stage "1/4 Packages"
 install_missing_packages "$@"
