@@ -6,6 +6,7 @@
 #include "ellipsoid_models.h"
 #include "error.h"
 #include "fix_property_atom.h"
+#include "input.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "primitive_wall.h"
@@ -46,6 +47,16 @@ void check_meshes(LAMMPS* lmp, Reader& reader, int count) {
       reader.complain("keyword 'meshes' has the value '" + mesh +
                       "', allowed are ids of fix mesh/surface; define the mesh before the wall");
   }
+}
+
+/// The host keeps the name of the command in work for classes derived from its own.
+struct CommandInWork : Input {
+  static const char* name(Input& input) { return input.*(&CommandInWork::command); }
+};
+
+bool is_work_of(Input& input, const char* command) {
+  const char* const name = CommandInWork::name(input);
+  return name && std::strcmp(name, command) == 0;
 }
 
 /// The host reads these arguments without looking whether the words are there, and says little
@@ -141,6 +152,15 @@ void FixWallGranEllipsoid::post_create() {
   modify->add_fix(static_cast<int>(arguments.size()), arguments.data());
   fix_history_primitive_ = static_cast<FixPropertyAtom*>(modify->find_fix_property(
       name.c_str(), "property/atom", "vector", history_.size(), 0, style));
+}
+
+/// A second command of one ID replaces the first in the host's list, which does not stand that the
+/// fixes of the wall's own leave the list meanwhile.
+void FixWallGranEllipsoid::pre_delete(bool unfixflag) {
+  if (unfixflag && is_work_of(*input, "fix"))
+    error->fix_error(FLERR, this,
+                     "is defined already; use another id, or 'unfix' the former wall before");
+  FixWallGran::pre_delete(unfixflag);
 }
 
 void FixWallGranEllipsoid::init() {

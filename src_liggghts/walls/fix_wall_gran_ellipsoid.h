@@ -28,6 +28,7 @@ class FixWallGranEllipsoid : public FixWallGran,
  public:
   FixWallGranEllipsoid(class LAMMPS* lmp, int narg, char** arg);
   void post_create() override;
+  void pre_delete(bool unfixflag) override;
   void init() override;
   void post_force(int vflag) override {
     begin_records(update->ntimestep);

@@ -106,8 +106,7 @@ Vector3 WallMeshes::velocity(int triangle, const Vector3& point) const {
 
 bool WallMeshes::adjoining(double former, int triangle) const {
   const ellipsoid::Triangle& other = triangles_[static_cast<std::size_t>(triangle)];
-  const double margin =
-      ellipsoid::wall_tolerance::shared_point * atom->radius[near_.front().particle];
+  const double margin = ellipsoid::wall_tolerance::unmatched * atom->radius[near_.front().particle];
   for (std::size_t k = 0; k < near_.size(); ++k)
     if (code(static_cast<int>(k)) == former && adjoin(triangles_[k], other, margin))
       return true;

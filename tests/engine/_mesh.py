@@ -47,6 +47,32 @@ def floor(half, cells=1, height=0.0):
         for x0, x1 in zip(ticks, ticks[1:]) for z0, z1 in zip(ticks, ticks[1:])])
 
 
+def careless_floor(x, z, noise, seed, cell=1e-3):
+    """The rectangle |x| < x, |z| < z at y = 0 as a careless drawing has it: strips of uneven width that are
+    divided without regard to each other (T-junctions), slivers of 0.005 to 0.1 cells between some, and every
+    corner of every triangle off by up to `noise` (m)."""
+    generator = np.random.default_rng(seed)
+
+    def cuts(half, slivers):
+        ticks = [-half]
+        while ticks[-1] < half:
+            is_sliver = generator.random() < slivers
+            ticks.append(ticks[-1] + cell * (10.0 ** generator.uniform(-2.3, -1) if is_sliver
+                                             else generator.uniform(0.1, 1.0)))
+        return ticks
+
+    strips = cuts(x, 0.3)
+    triangles = []
+    for x0, x1 in zip(strips, strips[1:]):
+        ticks = cuts(z, 0.1)
+        triangles += [quad((x0, 0, z0), (x0, 0, z1), (x1, 0, z1), (x1, 0, z0))
+                      for z0, z1 in zip(ticks, ticks[1:])]
+    triangles = np.concatenate(triangles)
+    off = generator.normal(size=triangles.shape)
+    off *= noise * generator.random(triangles.shape[:2])[..., None] / np.linalg.norm(off, axis=-1, keepdims=True)
+    return triangles + off
+
+
 def mesh(name, file, more="", style="mesh/surface"):
     """Script line of a mesh of material 1."""
     return f"fix {name} all {style} file {file} type 1 {more}\n"

@@ -326,8 +326,8 @@ def drum(facets, radius=0.012, length=0.03):
 
 class CurvedWall(unittest.TestCase):
     def test_spring_goes_along_from_facet_to_facet(self):
-        """A body is carried and then slides in a turning tube of 72 facets. A new facet without the spring of
-        the one before would start from none."""
+        """A body is carried and then slides in a turning tube of 72 facets. On a new facet without the springs
+        of the one before, friction would start from none."""
         write_stl("drum.stl", drum(72))
         for surface in SURFACES:
             low = 2 if surface == "smooth" else 1  # the shortest axis upright
@@ -339,19 +339,21 @@ class CurvedWall(unittest.TestCase):
             script += mesh("cad", "drum.stl", "curvature 10. curvature_tolerant yes")
             script += mesh_wall("w", ["cad"], surface) + MOTION
             script += "fix turn all move/mesh mesh cad rotate origin 0. 0. 0. axis 0. 0. 1. period 1.\n"
-            columns = COLUMNS + [f"f_history_w[{k}]" for k in range(1, 9)]
+            columns = COLUMNS + [f"f_history_w[{k}]" for k in range(1, 3)]
             run(script + dump("t.dump", 1, columns) + "run 30000\n")
             _, c = read_dump("t.dump")
             part, triangle = (c[f"f_history_w[{k}]"][:, 0] for k in (1, 2))
-            spring = np.linalg.norm(vectors(c, *columns[-3:])[:, 0], axis=1)
             passed = (part[1:] == part[:-1]) & (part[1:] > 0) & (triangle[1:] != triangle[:-1])
-            change = spring[1:][passed] / spring[:-1][passed]
-            slip = 2.0 * math.pi * 0.012 * 2e-6 / spring[:-1][passed].max()  # of one step
-            print(f"{surface}, drum: {passed.sum()} changes of triangle, spring's length times "
-                  f"{change.min():.3f} to {change.max():.3f}")
+            place, force = vectors(c, "x", "y")[:, 0], vectors(c, "fx", "fy")[:, 0]
+            force = force + np.array((0.0, 100.0 * body.mass))  # of the wall alone
+            outward = place / np.linalg.norm(place, axis=1, keepdims=True)
+            friction = np.abs(force[:, 0] * outward[:, 1] - force[:, 1] * outward[:, 0])
+            change = friction[1:][passed] / friction[:-1][passed]
+            print(f"{surface}, drum: {passed.sum()} changes of triangle, friction times {change.min():.3f} to "
+                  f"{change.max():.3f}")
             self.assertGreater(passed.sum(), 1)
             self.assertGreater(change.min(), 0.5)
-            self.assertLess(slip, 0.2)
+            self.assertLess(change.max(), 2.0)
 
 
 class RestartAndRanks(unittest.TestCase):

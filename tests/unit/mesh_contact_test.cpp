@@ -168,8 +168,9 @@ TEST(MeshContact, TwoContactsInAGroove) {
   }
 }
 
-// Two nearly parallel faces count as one surface if the caller says so: the deeper contact.
-TEST(MeshContact, FacesOfOneSurfaceCountOnce) {
+// Two faces of one surface, if the caller says so, count once where the patch of the deeper
+// contact, of radius sqrt(R h), reaches the other foot; farther apart they are two supports.
+TEST(MeshContact, FacesOfOneSurfaceCountOnceWithinAPatch) {
   Mesh mesh;
   const double rise = 30.0 * std::tan(0.02);
   add_quad(mesh, {0.0, -40.0, 0.0}, {0.0, 40.0, 0.0}, {30.0, 40.0, rise}, {30.0, -40.0, rise});
@@ -177,12 +178,144 @@ TEST(MeshContact, FacesOfOneSurfaceCountOnce) {
   Body body;
   body.semiaxes = {3.0, 1.0, 1.0};
   body.shape = make_shape(body.semiaxes, body.orientation);
-  const Vector3 centre{0.01, 0.0, 0.99};
-  EXPECT_EQ(solve(body, centre, mesh).size(), 2u);
-  const auto one = solve(body, centre, mesh, [](int, int) { return true; });
-  ASSERT_EQ(one.size(), 1u);
-  const auto both = solve(body, centre, mesh);
-  EXPECT_EQ(one[0].overlap, std::max(both[0].overlap, both[1].overlap));
+  const auto always = [](int, int) { return true; };
+  for (const double height : {0.999, 0.99, 0.97, 0.95, 0.9}) {
+    const Vector3 centre{0.01, 0.0, height};
+    const auto both = solve(body, centre, mesh), found = solve(body, centre, mesh, always);
+    ASSERT_EQ(both.size(), 2u) << height;
+    const double overlap = std::max(both[0].overlap, both[1].overlap);
+    const double patch = std::sqrt(3.0 * overlap); // R = a b c / s^2, s = 1 on the flat side
+    const bool is_one = norm(both[0].foot - both[1].foot) < patch;
+    EXPECT_EQ(is_one, height < 0.96);
+    ASSERT_EQ(found.size(), is_one ? 1u : 2u) << height;
+    if (is_one) {
+      EXPECT_EQ(found[0].overlap, overlap);
+    }
+  }
+}
+
+namespace {
+
+/// The floor of a careless drawing: strips of uneven width, divided without regard to each other
+/// (T-junctions), slivers between some of them, and every corner moved by up to `noise`.
+Mesh careless_floor(double half, double noise, PairGenerator& random) {
+  Mesh mesh;
+  const auto cuts = [&](double sliver_share) {
+    std::vector<double> c{-half};
+    while (c.back() < half)
+      c.push_back(c.back() + (random.uniform(0.0, 1.0) < sliver_share
+                                  ? random.log_uniform(1e-4, 1e-2)
+                                  : random.uniform(0.05, 0.6)));
+    return c;
+  };
+  const std::vector<double> x = cuts(0.3);
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+    const std::vector<double> y = cuts(0.1);
+    for (std::size_t j = 0; j + 1 < y.size(); ++j) {
+      const auto corner = [&](double u, double v) {
+        return Vector3{u, v, 0.0} + (noise * random.uniform(0.0, 1.0)) * random.direction();
+      };
+      add_quad(mesh, corner(x[i], y[j]), corner(x[i + 1], y[j]), corner(x[i + 1], y[j + 1]),
+               corner(x[i], y[j + 1]));
+    }
+  }
+  return mesh;
+}
+
+/// Those triangles that a body at the place can reach, as the host's neighbour lists give them.
+Mesh near(const Mesh& mesh, const Vector3& centre, double reach) {
+  Mesh found;
+  for (const Triangle& t : mesh)
+    if (norm(nearest_point(t, centre) - centre) < reach)
+      found.push_back(t);
+  return found;
+}
+
+} // namespace
+
+// On it there is one contact everywhere, that of the plane but for the corners' errors.
+TEST(MeshContact, CarelessFloorIsOnePlane) {
+  PairGenerator random(48);
+  constexpr double noise = 1e-5; // of the largest semi-axis, which is 1 or more
+  const Mesh mesh = careless_floor(6.0, noise, random);
+  EXPECT_GT(mesh.size(), 3000u);
+  double worst = 0.0, steepest = 0.0;
+  for (int k = 0; k < 1500; ++k) {
+    const Body body = random_body(random, 4.0);
+    const double a = std::max({body.semiaxes.x, body.semiaxes.y, body.semiaxes.z});
+    const double overlap = random.log_uniform(1e-3, 0.3) * body.shape.smallest_curvature_radius;
+    const Vector3 centre{random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0),
+                         support(body.shape, {0.0, 0.0, -1.0}) - overlap};
+    const auto contacts = solve(body, centre, near(mesh, centre, 1.01 * a));
+    ASSERT_EQ(contacts.size(), 1u) << "pose " << k;
+    worst = std::max(worst, std::fabs(contacts[0].overlap - overlap));
+    steepest = std::max(steepest, norm(contacts[0].normal - Vector3{0.0, 0.0, -1.0}));
+  }
+  std::printf("%zu triangles; overlap off by %.1e at most, normal by %.1e\n", mesh.size(), worst,
+              steepest);
+  EXPECT_LT(worst, 2.0 * noise);
+  EXPECT_LT(steepest, 0.01);
+}
+
+// A crack between two plates of up to a thousandth of the body's size, and a step as high: one
+// contact wherever the body is, and an overlap that is steady and near the plane's.
+TEST(MeshContact, CracksAndStepsAreNoFeatures) {
+  PairGenerator random(49);
+  for (const double width : {1e-7, 1e-5, 1e-4, 1e-3})
+    for (const double step : {0.0, 1e-6, 1e-4, 1e-3}) {
+      Mesh mesh;
+      add_quad(mesh, {-20.0, -20.0, 0.0}, {-0.5 * width, -20.0, 0.0}, {-0.5 * width, 20.0, 0.0},
+               {-20.0, 20.0, 0.0});
+      add_quad(mesh, {0.5 * width, -20.0, step}, {20.0, -20.0, step}, {20.0, 20.0, step},
+               {0.5 * width, 20.0, step});
+      for (int k = 0; k < 20; ++k) {
+        const Body body = random_body(random, 4.0);
+        const double smallest = body.shape.smallest_curvature_radius;
+        const double overlap = random.log_uniform(0.01, 0.3) * smallest;
+        const Vector3 down{0.0, 0.0, -1.0};
+        const Vector3 deepest = (1.0 / support(body.shape, down)) * (body.shape.a_matrix * down);
+        const double reach = 4.0 * std::sqrt(overlap), pitch = 1e-3;
+        double before = 0.0;
+        for (double x = -reach; x < reach; x += pitch) { // of the deepest point
+          const Vector3 centre{x - deepest.x, 0.3, support(body.shape, down) - overlap};
+          const auto contacts = solve(body, centre, mesh);
+          ASSERT_EQ(contacts.size(), 1u) << width << " " << step << " " << x << " body " << k;
+          const double found = contacts[0].overlap;
+          const double dip = width * width / (8.0 * smallest);
+          ASSERT_GT(found, overlap - dip - 1e-12);
+          ASSERT_LT(found, overlap + step + 1e-12);
+          if (x > -reach) {
+            // at a step's edge the overlap grows as the edge nears, by no more than the slope
+            // there of the surface at that depth in the body
+            const double radius = smallest - overlap - step;
+            ASSERT_LT(std::fabs(found - before),
+                      pitch * (std::sqrt(2.0 * (step + dip) / radius) + pitch / radius))
+                << width << " " << step << " " << x << " body " << k;
+          }
+          before = found;
+        }
+      }
+    }
+}
+
+// A second sheet behind the first, however near, is not touched.
+TEST(MeshContact, SheetBehindASheet) {
+  PairGenerator random(50);
+  for (double behind = 1e-9; behind < 0.05; behind *= 1.5) {
+    Mesh mesh;
+    add_quad(mesh, {-20.0, -20.0, 0.0}, {20.0, -20.0, 0.0}, {20.0, 20.0, 0.0}, {-20.0, 20.0, 0.0});
+    add_quad(mesh, {-18.0, -20.0, -behind}, {18.0, -20.0, -behind}, {18.0, 20.0, -behind},
+             {-18.0, 20.0, -behind});
+    for (int k = 0; k < 20; ++k) {
+      const Body body = random_body(random, 5.0);
+      const double overlap = random.log_uniform(1e-3, 0.5) * body.shape.smallest_curvature_radius;
+      const Vector3 centre{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0),
+                           support(body.shape, {0.0, 0.0, -1.0}) - overlap};
+      const auto contacts = solve(body, centre, mesh);
+      ASSERT_EQ(contacts.size(), 1u) << behind << " body " << k;
+      EXPECT_NEAR(contacts[0].overlap, overlap, 1e-12);
+    }
+  }
 }
 
 // A slanted body on the rim of a box, its tip below the lid beside the box: one contact, at the

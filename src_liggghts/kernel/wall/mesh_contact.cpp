@@ -48,6 +48,47 @@ bool is_outdone(const TriangleContact& c, const TriangleContact& d, double size)
          dot(d.normal, c.foot - d.foot) >= -wall_tolerance::shared_point * size;
 }
 
+/// Whether the wall that c touches is, but for cracks and unmatched corners, the one that the
+/// deeper contact d is with: c's foot then lies in or beyond the tangent plane of d, in the cap of
+/// the body that this plane cuts off.
+bool is_part_of(const TriangleContact& c, const TriangleContact& d, double size) {
+  using namespace wall_tolerance;
+  const Vector3 way = c.foot - d.foot;
+  const double in_front = -dot(d.normal, way); // of the tangent plane (length)
+  if (in_front <= same_plane * size)
+    return true;
+  const bool face_c = c.feature == TriangleFeature::face,
+             face_d = d.feature == TriangleFeature::face;
+  if (in_front > unmatched * size || (face_c && face_d))
+    return false;
+  const double patch = std::sqrt(2.0 * d.reduced_radius * (d.overlap + unmatched * size));
+  return norm(way) <= (face_c || face_d ? patch_reach * patch : crack_reach * unmatched * size);
+}
+
+/// Of contacts from index `first` on, the deepest one of each wall.
+void keep_deepest(std::vector<TriangleContact>& contacts, std::size_t first, double size) {
+  const auto begin = contacts.begin() + static_cast<std::ptrdiff_t>(first);
+  std::stable_sort(begin, contacts.end(), [](const TriangleContact& c, const TriangleContact& d) {
+    return c.overlap > d.overlap;
+  });
+  auto kept = begin;
+  for (auto c = begin; c != contacts.end(); ++c)
+    if (std::none_of(begin, kept,
+                     [&](const TriangleContact& d) { return is_part_of(*c, d, size); }))
+      *kept++ = *c;
+  contacts.erase(kept, contacts.end());
+  std::sort(begin, contacts.end(), [](const TriangleContact& c, const TriangleContact& d) {
+    return c.triangle < d.triangle;
+  });
+}
+
+/// Whether two contacts are near enough to be one: the patch of one of them reaches the other.
+bool overlap_as_patches(const TriangleContact& c, const TriangleContact& d) {
+  const auto patch = [](const TriangleContact& e) { return e.reduced_radius * e.overlap; };
+  const Vector3 way = c.foot - d.foot;
+  return dot(way, way) <= std::max(patch(c), patch(d)); // radius sqrt(R h)
+}
+
 /// Of contacts that are connected by `related`, keeps the first in the order of `comes_first`.
 template <class Related, class ComesFirst>
 void keep_one_of_each_group(std::vector<TriangleContact>& contacts, std::size_t first,
@@ -102,10 +143,11 @@ void select(const std::vector<Triangle>& triangles, const SameSurface& same_surf
                    face_d = d.feature == TriangleFeature::face;
         return face_c != face_d ? face_c : c.triangle < d.triangle;
       });
+  keep_deepest(contacts, first, size);
   keep_one_of_each_group(
       contacts, first,
       [&](const TriangleContact& c, const TriangleContact& d) {
-        return same_surface(c.triangle, d.triangle);
+        return overlap_as_patches(c, d) && same_surface(c.triangle, d.triangle);
       },
       [](const TriangleContact& c, const TriangleContact& d) {
         return c.overlap != d.overlap ? c.overlap > d.overlap : c.triangle < d.triangle;

@@ -4,16 +4,18 @@
 //
 // Each triangle near the particle offers its contacts (triangle_contact.h). Of these,
 //  - a contact at an edge or corner counts only if no triangle that shares the point reaches in
-//  front
-//    of the contact's tangent plane: else the neighbour's own contact is the true one. So there is
-//    none at the seam of coplanar triangles nor in a groove, and one on a ridge;
+//    front of the contact's tangent plane: else the neighbour's own contact is the true one. So
+//    there is none at the seam of coplanar triangles nor in a groove, and one on a ridge;
 //  - a contact point that the body's centre does not see, because a triangle lies between, is none;
 //  - a deep contact gives way to one with a smaller overlap whose tangent plane it lies in or
-//  beyond:
-//    the other side of a ridge, the rim of the same plate;
+//    beyond: the other side of a ridge, the rim of the same plate;
 //  - the same contact offered by several triangles counts once;
-//  - contacts on triangles of the same surface (coplanar, or nearly so: the caller says which) that
-//    hang together are one contact, the one with the largest overlap.
+//  - a contact that lies in or beyond the tangent plane of a deeper one is part of that: the rim
+//    of a coplanar plate beyond a crack, a sheet close behind. Small steps (`unmatched`), which
+//    corners of triangles make that do not match, do not matter near a contact;
+//  - contacts on triangles of the same surface (nearly coplanar: the caller says which) are one
+//    where the patch of one reaches the foot of the other. Farther apart they are two supports.
+// Of contacts that are one, the deepest counts: it changes steadily while the body moves.
 // If nothing is left although the body reaches into the wall (deep overlap of a slender body), the
 // contact is that of find_growing_contact() at the triangle that is reached first. Every touching
 // body has at least one contact.

@@ -31,6 +31,21 @@ constexpr double behind_plane = 1.0e-8;
 /// Contacts with points (share of the body's size) and normals (rad) closer than this are the same.
 constexpr double same_contact = 1.0e-5;
 
+/// A contact whose foot lies no farther in front of the tangent plane of a deeper one (share of the
+/// body's size) touches the same plane: corners of the triangles off by shared_point each.
+constexpr double same_plane = 2.0 * shared_point;
+
+/// Cracks between triangles, and steps at corners that do not match, up to this share of the body's
+/// size are no features of the wall.
+constexpr double unmatched = 1.0e-3;
+
+/// How far from a contact such steps are looked for, in radii sqrt(2 R h) of its patch: enough for
+/// patches of bodies up to aspect 4, which are longer than that.
+constexpr double patch_reach = 2.0;
+
+/// Distance of two edges at one crack, in widest cracks: across it, and along a step in it.
+constexpr double crack_reach = 2.0;
+
 /// A wall hides a contact point when it crosses the line of sight from the body's centre nearer
 /// than this share of the line short of the point: the triangles around the point end there, too.
 constexpr double sight_end = 1.0e-4;
