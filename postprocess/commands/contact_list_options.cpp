@@ -19,6 +19,20 @@ CLI::Option* add_contact_list_options(CLI::App& command, ContactListOptions& opt
   return contacts;
 }
 
+void add_force_list_options(CLI::App& command, ContactListOptions& options,
+                            const std::string& purpose, const std::string& shown) {
+  auto* contacts = add_contact_list_options(command, options, purpose);
+  auto* forces = command.add_option("--force-columns", options.columns.forces,
+                                    "of the contact list: the force");
+  auto* normals = command.add_option("--normal-columns", options.columns.normals,
+                                     "of the contact list: the normal; then only the normal part "
+                                     "of the force is " +
+                                         shown);
+  forces->expected(3)->needs(contacts);
+  normals->expected(3)->needs(contacts);
+  contacts->needs(forces);
+}
+
 Frame contact_list_at(const ContactListOptions& options, std::int64_t timestep) {
   for (const Run& run : runs_of(options.files, RunGrouping::one_run)) {
     FrameStream stream(run.files);

@@ -20,6 +20,11 @@ struct ContactListOptions {
 CLI::Option* add_contact_list_options(CLI::App& command, ContactListOptions& options,
                                       const std::string& purpose);
 
+/// The same with --force-columns, which --contacts then needs, and --normal-columns.
+/// @param[in] purpose of the list, @param[in] shown what becomes of the force: "drawn"
+void add_force_list_options(CLI::App& command, ContactListOptions& options,
+                            const std::string& purpose, const std::string& shown);
+
 /// The list at one time step. Throws InputError when there is none.
 Frame contact_list_at(const ContactListOptions& options, std::int64_t timestep);
 

@@ -39,18 +39,6 @@ void render(const RenderOptions& options, const ChosenFrame& chosen) {
   write_pile_picture(options.output, chosen, pile, settings, try_flanks(pile, settings), picture);
 }
 
-void add_force_chain_options(CLI::App& command, ContactListOptions& options) {
-  auto* contacts = add_contact_list_options(command, options, "draws the force chains");
-  auto* forces = command.add_option("--force-columns", options.columns.forces,
-                                    "of the contact list: the force");
-  auto* normals = command.add_option("--normal-columns", options.columns.normals,
-                                     "of the contact list: the normal; then only the normal part "
-                                     "of the force is drawn");
-  forces->expected(3)->needs(contacts);
-  normals->expected(3)->needs(contacts);
-  contacts->needs(forces);
-}
-
 } // namespace
 
 void add_render_command(CLI::App& program, int& exit_code) {
@@ -80,7 +68,7 @@ void add_render_command(CLI::App& program, int& exit_code) {
   command->add_flag("--no-fit", options->no_fit, "without the line A-B");
   command->add_flag("--surface", options->picture.show_surface, "draw the free surface y_max(x)");
   command->add_flag("--discs", options->picture.show_discs, "draw inner outlines of sub-spheres");
-  add_force_chain_options(*command, options->contacts);
+  add_force_list_options(*command, options->contacts, "draws the force chains", "drawn");
   command->callback([options, &exit_code] {
     exit_code =
         for_chosen_frames(options->frames, [&](const ChosenFrame& f) { render(*options, f); });

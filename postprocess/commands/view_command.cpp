@@ -159,18 +159,6 @@ int write_view(const ViewOptions& options) {
   return exit_good;
 }
 
-void add_force_options(CLI::App& command, ContactListOptions& options) {
-  auto* contacts = add_contact_list_options(command, options, "force chains and forces to read");
-  auto* forces = command.add_option("--force-columns", options.columns.forces,
-                                    "of the contact list: the force");
-  auto* normals = command.add_option("--normal-columns", options.columns.normals,
-                                     "of the contact list: the normal; then only the normal part "
-                                     "of the force is shown");
-  forces->expected(3)->needs(contacts);
-  normals->expected(3)->needs(contacts);
-  contacts->needs(forces);
-}
-
 } // namespace
 
 void add_view_command(CLI::App& program, int& exit_code) {
@@ -205,7 +193,7 @@ void add_view_command(CLI::App& program, int& exit_code) {
   no_walls->excludes("--log");
   auto* no_contacts =
       command->add_flag("--no-contacts", options->no_contacts, "without contacts: smaller, faster");
-  add_force_options(*command, options->contacts);
+  add_force_list_options(*command, options->contacts, "force chains and forces to read", "shown");
   no_contacts->excludes("--contacts");
   command->callback([options, &exit_code] {
     try {
