@@ -21,19 +21,22 @@ std::string readable(double value) {
   return out.str();
 }
 
-/// Table [type][type] of a global property, every entry finite and not negative.
-MatrixProperty* non_negative_per_type_pair(PropertyRegistry& registry, const char* name,
-                                           const char* caller) {
+enum class Range { positive, not_negative };
+
+/// Table [type][type] of a global property, every entry finite and within the range.
+MatrixProperty* checked_per_type_pair(PropertyRegistry& registry, const char* name,
+                                      const char* caller, Range range, const char* unit) {
   MatrixProperty* matrix = MODEL_PARAMS::createPerTypePairProperty(registry, name, caller);
+  const bool zero = range == Range::not_negative;
   for (int i = 1; i <= registry.max_type(); ++i)
     for (int j = 1; j <= registry.max_type(); ++j) {
       const double value = matrix->data[i][j];
-      if (std::isfinite(value) && value >= 0.0)
+      if (std::isfinite(value) && (value > 0.0 || (zero && value == 0.0)))
         continue;
       const std::string message =
           std::string("property/global ") + name + " for types " + std::to_string(i) + " and " +
-          std::to_string(j) + " is " + readable(value) + ": " + caller +
-          " needs finite values >= 0 (1/time); correct the fix property/global";
+          std::to_string(j) + " is " + readable(value) + ": " + caller + " needs finite values " +
+          (zero ? ">= 0 (" : "> 0 (") + unit + "); correct the fix property/global";
       registry.getLAMMPS()->error->all(FLERR, message.c_str());
     }
   return matrix;
@@ -42,11 +45,23 @@ MatrixProperty* non_negative_per_type_pair(PropertyRegistry& registry, const cha
 } // namespace
 
 MatrixProperty* viscous_damping_normal(PropertyRegistry& registry, const char* caller, bool) {
-  return non_negative_per_type_pair(registry, "viscousDampingNormal", caller);
+  return checked_per_type_pair(registry, "viscousDampingNormal", caller, Range::not_negative,
+                               "1/time");
 }
 
 MatrixProperty* viscous_damping_tangential(PropertyRegistry& registry, const char* caller, bool) {
-  return non_negative_per_type_pair(registry, "viscousDampingTangential", caller);
+  return checked_per_type_pair(registry, "viscousDampingTangential", caller, Range::not_negative,
+                               "1/time");
+}
+
+MatrixProperty* spring_stiffness_normal(PropertyRegistry& registry, const char* caller, bool) {
+  return checked_per_type_pair(registry, "springStiffnessNormal", caller, Range::positive,
+                               "force/length");
+}
+
+MatrixProperty* spring_stiffness_tangential(PropertyRegistry& registry, const char* caller, bool) {
+  return checked_per_type_pair(registry, "springStiffnessTangential", caller, Range::not_negative,
+                               "force/length");
 }
 
 void ArgumentReader::complain(const std::string& message) const {

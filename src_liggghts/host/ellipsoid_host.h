@@ -76,6 +76,13 @@ MatrixProperty* viscous_damping_normal(PropertyRegistry& registry, const char* c
 MatrixProperty* viscous_damping_tangential(PropertyRegistry& registry, const char* caller,
                                            bool sanity);
 
+/// Per type pair, force/length, finite and > 0: property/global springStiffnessNormal.
+MatrixProperty* spring_stiffness_normal(PropertyRegistry& registry, const char* caller,
+                                        bool sanity);
+/// Per type pair, force/length, finite and >= 0: property/global springStiffnessTangential.
+MatrixProperty* spring_stiffness_tangential(PropertyRegistry& registry, const char* caller,
+                                            bool sanity);
+
 /// "Fix" or "Compute", style and id of a command, as messages name it.
 struct CommandName {
   const char* kind;

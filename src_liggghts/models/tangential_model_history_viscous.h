@@ -13,11 +13,10 @@ TANGENTIAL_MODEL(TANGENTIAL_HISTORY_VISCOUS,history/viscous,40)
 #include "contact_models.h"
 #include "ellipsoid_host.h"
 #include "global_properties.h"
-#include "law/contact_law.h"
+#include "law/tangential_laws.h"
 #include "tangential_model_base.h"
 #include "update.h"
 
-#include <cmath>
 #include <string>
 
 namespace LIGGGHTS {
@@ -56,11 +55,7 @@ template <> class TangentialModel<TANGENTIAL_HISTORY_VISCOUS> : public Tangentia
                                                    ellipsoid::SlipDirection::displacement);
   }
 
-  /// Named integers are the only way that the host's classes offer to ask for a setting.
-  void postSettings(IContactHistorySetup*, ContactModelBase* cmb) {
-    cmb->add_history_offset("spring", spring_offset_);
-    cmb->add_history_offset("creeps", direction_ == ellipsoid::SlipDirection::velocity);
-  }
+  void postSettings(IContactHistorySetup*, ContactModelBase*) {}
 
   void connectToProperties(PropertyRegistry& registry) {
     registry.registerProperty("coeffFrict", &MODEL_PARAMS::createCoeffFrict);
@@ -81,13 +76,10 @@ template <> class TangentialModel<TANGENTIAL_HISTORY_VISCOUS> : public Tangentia
     const ellipsoid::Vector3 velocity{sidata.vtr1, sidata.vtr2, sidata.vtr3};
     const bool update_history = sidata.computeflag && sidata.shearupdate;
     if (update_history)
-      ellipsoid::advance_spring(spring, velocity, update->dt, normal);
-    const int itype = sidata.itype, jtype = sidata.jtype;
-    const ellipsoid::Vector3 force =
-        ellipsoid::tangential_force(direction_,
-                                    {sidata.kt, damping_[itype][jtype] * sidata.meff,
-                                     friction_[itype][jtype] * std::fabs(sidata.Fn), velocity},
-                                    spring);
+      Displacement::advance(spring, velocity, update->dt, normal); // the same in both directions
+    const ellipsoid::Vector3 force = direction_ == ellipsoid::SlipDirection::velocity
+                                         ? friction<Velocity>(sidata, velocity, spring)
+                                         : friction<Displacement>(sidata, velocity, spring);
     if (update_history) {
       stored[0] = spring.x;
       stored[1] = spring.y;
@@ -111,6 +103,21 @@ template <> class TangentialModel<TANGENTIAL_HISTORY_VISCOUS> : public Tangentia
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
 
  private:
+  using Displacement = ellipsoid::HistoryViscous<ellipsoid::SlipDirection::displacement>;
+  using Velocity = ellipsoid::HistoryViscous<ellipsoid::SlipDirection::velocity>;
+
+  template <class Law>
+  ellipsoid::Vector3 friction(const SurfacesIntersectData& sidata,
+                              const ellipsoid::Vector3& velocity,
+                              ellipsoid::Vector3& spring) const {
+    const ellipsoid::NormalResponse normal{sidata.Fn, sidata.kn, sidata.gamman, sidata.kt,
+                                           sidata.gammat};
+    double** const tables[] = {friction_, damping_};
+    return Law::force(
+        ellipsoid::SlidingContact<ellipsoid::Vector3>{normal, sidata.meff, velocity},
+        [&](int parameter) { return tables[parameter][sidata.itype][sidata.jtype]; }, spring);
+  }
+
   double** friction_ = nullptr; // mu per type pair
   double** damping_ = nullptr;  // eta_t per type pair (1/time)
   int spring_offset_ = 0;

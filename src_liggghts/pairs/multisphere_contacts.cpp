@@ -5,8 +5,8 @@
 #include "contact_model_constants.h"
 #include "ellipsoid_host.h"
 #include "error.h"
+#include "model_settings.h"
 #include "pair_gran_ellipsoid.h"
-#include "pair_settings.h"
 #include "strict_settings.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ MultisphereContacts::MultisphereContacts(LAMMPS* lmp, PairGranEllipsoid& pair)
   pair_.add_history_value("sphere_difference", "1");
 }
 
-void MultisphereContacts::read_settings(const PairSettings& settings) {
+void MultisphereContacts::read_settings(const ModelSettings& settings) {
   slot_values_ = pair_.dnum_pair();
   slots_ = settings.number("contacts", ContactModels::ContactsSetting::standard);
   rule_ = settings.value("multicontact", "sum") == "average" ? ellipsoid::MulticontactRule::average
@@ -34,7 +34,7 @@ void MultisphereContacts::read_settings(const PairSettings& settings) {
   pair_.repeat_history(slots_);
 }
 
-ContactCounts MultisphereContacts::compute(ContactForces& forces, bool is_time_step) {
+ContactCounts MultisphereContacts::compute(PairForces& forces, bool is_time_step) {
   counts_ = ContactCounts();
   particles_ = ParticleArrays(*atom);
   pairs_.begin_step(pair_.list, pair_.listgranhistory, pair_.dnum());
@@ -76,7 +76,7 @@ void MultisphereContacts::begin_lists() {
 }
 
 /// @return whether there are spheres to test in the next step; the next check is deferred if not
-bool MultisphereContacts::update_contacts(NearPair& pair, ContactForces& forces) {
+bool MultisphereContacts::update_contacts(NearPair& pair, PairForces& forces) {
   const Vector3 distance = vector(particles_.x[pair.j]) - vector(particles_.x[pair.i]);
   if (watch_.is_due(pair.index, clocks().time(pair.i), clocks().time(pair.j)) &&
       !search(pair, distance, forces))
@@ -92,7 +92,7 @@ bool MultisphereContacts::update_contacts(NearPair& pair, ContactForces& forces)
 /// Finds the spheres that have to be tested in the next steps.
 /// @return whether there are any
 bool MultisphereContacts::search(const NearPair& pair, const Vector3& distance,
-                                 ContactForces& forces) {
+                                 PairForces& forces) {
   const int i = pair.i, j = pair.j;
   const double approach = clocks().approach(i, j);
   const ellipsoid::ContactWatch::Search result = watch_.search(
@@ -127,7 +127,7 @@ void MultisphereContacts::find_touching(const NearPair& pair, const Vector3& dis
 }
 
 void MultisphereContacts::add_contacts(const NearPair& pair, const Vector3& distance,
-                                       ContactForces& forces) {
+                                       PairForces& forces) {
   counts_.values[ContactCounts::touching_pairs] += share(pair.j);
   counts_.values[ContactCounts::contacts] += share(pair.j) * found_;
   *pair.flag = ContactModels::CONTACT_SURFACE_MODEL;
@@ -144,7 +144,7 @@ void MultisphereContacts::add_contacts(const NearPair& pair, const Vector3& dist
 
 /// After a search: which of its spheres have a slot from before. Contacts of other spheres are
 /// over.
-void MultisphereContacts::recall_slots(const NearPair& pair, ContactForces& forces) {
+void MultisphereContacts::recall_slots(const NearPair& pair, PairForces& forces) {
   SpherePair *begin = watch_.begin(pair.index), *end = watch_.end(pair.index);
   for (int s = 0; s < slots_; ++s) {
     double* slot = &pair.history[slot_values_ * s];
@@ -162,7 +162,7 @@ void MultisphereContacts::recall_slots(const NearPair& pair, ContactForces& forc
 }
 
 /// Known contacts keep their slots, contacts that ended leave theirs, new ones get free slots.
-void MultisphereContacts::update_slots(const NearPair& pair, ContactForces& forces) {
+void MultisphereContacts::update_slots(const NearPair& pair, PairForces& forces) {
   const auto *touching = touching_.data(), *last = touching + found_;
   for (SpherePair *s = watch_.begin(pair.index), *end = watch_.end(pair.index); s != end; ++s) {
     if (touching != last && touching->spheres == s) {
@@ -189,8 +189,7 @@ void MultisphereContacts::update_slots(const NearPair& pair, ContactForces& forc
   }
 }
 
-void MultisphereContacts::close_slot(const NearPair& pair, double* slot,
-                                     ContactForces& forces) const {
+void MultisphereContacts::close_slot(const NearPair& pair, double* slot, PairForces& forces) const {
   forces.close(pair.i, pair.j, pair.flag, slot);
   std::fill_n(slot, slot_values_, 0.0);
 }

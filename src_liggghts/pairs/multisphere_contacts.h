@@ -9,10 +9,10 @@
 #ifndef MULTISPHERE_CONTACTS_H_
 #define MULTISPHERE_CONTACTS_H_
 
-#include "contact_forces.h"
 #include "multisphere/multisphere_watch.h"
 #include "multisphere_particles.h"
 #include "neighbour_pairs.h"
+#include "pair_forces.h"
 #include "particle_arrays.h"
 #include "surface_contacts.h"
 
@@ -23,8 +23,8 @@ namespace LIGGGHTS {
 class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
  public:
   MultisphereContacts(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::PairGranEllipsoid& pair);
-  void read_settings(const PairSettings& settings) override;
-  ContactCounts compute(ContactForces& forces, bool is_time_step) override;
+  void read_settings(const ModelSettings& settings) override;
+  ContactCounts compute(PairForces& forces, bool is_time_step) override;
 
  private:
   enum { key_sum, key_difference }; // offsets in a slot
@@ -49,15 +49,14 @@ class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers 
   ellipsoid::MulticontactRule rule_ = ellipsoid::MulticontactRule::sum;
 
   void begin_lists();
-  bool update_contacts(NearPair& pair, ContactForces& forces);
-  bool search(const NearPair& pair, const ellipsoid::Vector3& distance, ContactForces& forces);
+  bool update_contacts(NearPair& pair, PairForces& forces);
+  bool search(const NearPair& pair, const ellipsoid::Vector3& distance, PairForces& forces);
   double search_gap(int i, int j, double approach);
   void find_touching(const NearPair& pair, const ellipsoid::Vector3& distance);
-  void recall_slots(const NearPair& pair, ContactForces& forces);
-  void update_slots(const NearPair& pair, ContactForces& forces);
-  void close_slot(const NearPair& pair, double* slot, ContactForces& forces) const;
-  void add_contacts(const NearPair& pair, const ellipsoid::Vector3& distance,
-                    ContactForces& forces);
+  void recall_slots(const NearPair& pair, PairForces& forces);
+  void update_slots(const NearPair& pair, PairForces& forces);
+  void close_slot(const NearPair& pair, double* slot, PairForces& forces) const;
+  void add_contacts(const NearPair& pair, const ellipsoid::Vector3& distance, PairForces& forces);
   [[noreturn]] void complain_of_slots(const NearPair& pair) const;
 
   ellipsoid::MotionClocks& clocks() { return chains_.clocks(); }

@@ -3,15 +3,15 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "contact_forces.h"
 #include "ellipsoid_host.h"
 #include "ellipsoid_models.h"
 #include "error.h"
 #include "force.h"
 #include "host_models.h"
+#include "model_settings.h"
 #include "multisphere_contacts.h"
 #include "neighbor.h"
-#include "pair_settings.h"
+#include "pair_forces.h"
 #include "particle_check.h"
 #include "smooth_contacts.h"
 #include "update.h"
@@ -84,7 +84,7 @@ void PairGranEllipsoid::create(int64_t variant) {
   const Creator create_models =
       compiled != compiled_combinations().end() ? compiled->second : &make_models<GranStyle<>>;
   models_.reset(create_models(lmp, this, variant));
-  forces_ = std::make_unique<ContactForces>(lmp, *this, *models_);
+  forces_ = std::make_unique<PairForces>(lmp, *this, *models_);
   const std::string complaint = unsuitable_model(*models_);
   if (!complaint.empty())
     error->all(FLERR, ("pair_style gran/ellipsoid: " + complaint).c_str());
@@ -129,12 +129,17 @@ void PairGranEllipsoid::settings(int narg, char** arg) {
   const std::string complaint = unsuitable_setting(narg, arg);
   if (!complaint.empty())
     error->all(FLERR, ("pair_style gran/ellipsoid: " + complaint).c_str());
+  read_settings(narg, arg);
+}
+
+/// Of all that the models and the search can be told.
+void PairGranEllipsoid::read_settings(int narg, char** arg) {
   const std::string problem = models_->read_settings(narg, arg, this);
   if (!problem.empty())
     error->all(FLERR, ("pair_style gran/ellipsoid: " + problem +
                        "; give settings of the chosen models, each with its value")
                           .c_str());
-  const PairSettings settings(narg, arg);
+  const ModelSettings settings(narg, arg);
   forces_->read_settings(settings);
   contacts_->read_settings(settings);
 }
@@ -142,6 +147,22 @@ void PairGranEllipsoid::settings(int narg, char** arg) {
 void PairGranEllipsoid::init_granular() {
   models_->connect(force->registry);
   forces_->connect(force->registry);
+  tell_of_batches();
+}
+
+void PairGranEllipsoid::tell_of_batches() {
+  const std::string obstacle = forces_->obstacle();
+  const std::string text =
+      obstacle.empty() ? "pair_style gran/ellipsoid: forces of contacts are computed in batches"
+                       : "pair_style gran/ellipsoid: forces of contacts are computed one by one, "
+                         "which takes longer: " +
+                             obstacle;
+  if (text == told_)
+    return;
+  told_ = text;
+  for (FILE* out : {screen, logfile})
+    if (comm->me == 0 && out)
+      fprintf(out, "%s\n", text.c_str());
 }
 
 void PairGranEllipsoid::init_style() {
@@ -203,6 +224,7 @@ void PairGranEllipsoid::read_restart_settings(FILE* file, const int, const int) 
     error->one(FLERR, "The restart file ends within pair_style gran/ellipsoid; use a whole file");
   MPI_Bcast(&variant, sizeof(variant), MPI_CHAR, 0, world);
   create(variant);
+  read_settings(0, nullptr); // defaults: the file does not keep settings
 }
 
 void PairGranEllipsoid::warn_of_searches() {

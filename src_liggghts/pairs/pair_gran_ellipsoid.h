@@ -17,7 +17,7 @@ PairStyle(gran/ellipsoid,PairGranEllipsoid)
 #include <string>
 
 namespace LIGGGHTS {
-class ContactForces;
+class PairForces;
 class SurfaceContacts;
 namespace ContactModels {
 class HostModels;
@@ -53,12 +53,15 @@ class PairGranEllipsoid : public PairGran, public LIGGGHTS::ContactModels::Ellip
  private:
   std::unique_ptr<LIGGGHTS::SurfaceContacts> contacts_;
   std::unique_ptr<LIGGGHTS::ContactModels::HostModels> models_;
-  std::unique_ptr<LIGGGHTS::ContactForces> forces_;
+  std::unique_ptr<LIGGGHTS::PairForces> forces_;
   LIGGGHTS::ContactCounts counts_;
   bool warned_ = false;
+  std::string told_; // what was last said of batches
 
   void create(int64_t variant);
+  void read_settings(int narg, char** arg);
   void check_pages();
+  void tell_of_batches();
   void warn_of_searches();
 };
 

@@ -27,7 +27,7 @@ SmoothContacts::SmoothContacts(LAMMPS* lmp, PairGranEllipsoid& pair) : Pointers(
   }
 }
 
-ContactCounts SmoothContacts::compute(ContactForces& forces, bool is_time_step) {
+ContactCounts SmoothContacts::compute(PairForces& forces, bool is_time_step) {
   counts_ = ContactCounts();
   particles_ = ParticleArrays(*atom);
   is_time_step_ = is_time_step;
@@ -140,7 +140,7 @@ void SmoothContacts::find_gaps() {
 }
 
 /// A pair that touched starts from its last normal, together with others.
-void SmoothContacts::search_active_pairs(ContactForces& forces) {
+void SmoothContacts::search_active_pairs(PairForces& forces) {
   const auto prefetch = [this](const NearPair& pair) {
     pairs_.prefetch_history(pair);
     __builtin_prefetch(shapes_.address(pair.j), 1);
@@ -171,7 +171,7 @@ void SmoothContacts::search_active_pairs(ContactForces& forces) {
 }
 
 /// The pairs in the batch, in the order in which they came.
-__attribute__((noinline)) void SmoothContacts::search_together(ContactForces& forces) {
+__attribute__((noinline)) void SmoothContacts::search_together(PairForces& forces) {
   batch_.solve();
   batch_.solve_open();
   SearchCounts counts; // here, to live in registers
@@ -193,7 +193,7 @@ __attribute__((noinline)) void SmoothContacts::search_together(ContactForces& fo
 /// nor on whether the run was interrupted.
 /// @return whether the pair touches; its next check is deferred if not
 __attribute__((noinline)) bool SmoothContacts::search_alone(const NearPair& pair,
-                                                            ContactForces& forces) {
+                                                            PairForces& forces) {
   const Contact contact{pair.i, pair.j, pair.flag, pair.history, 1.0, -1, -1};
   const Vector3 distance = centre_distance(pair.i, pair.j);
   const double bounding_gap = this->bounding_gap(pair, distance);
@@ -237,7 +237,7 @@ __attribute__((noinline)) bool SmoothContacts::search_alone(const NearPair& pair
 
 /// Counts the pair, remembers its normal, closes the contact where there is none.
 inline bool SmoothContacts::touches(const Contact& pair, const Finding& finding,
-                                    SearchCounts& counts, ContactForces& forces) const {
+                                    SearchCounts& counts, PairForces& forces) const {
   const double share = this->share(pair.j);
   counts.tested += share;
   if (finding.steps != 1.0)
@@ -254,7 +254,7 @@ inline bool SmoothContacts::touches(const Contact& pair, const Finding& finding,
   return true;
 }
 
-void SmoothContacts::close(const Contact& pair, ContactForces& forces) const {
+void SmoothContacts::close(const Contact& pair, PairForces& forces) const {
   if (!*pair.flag && pair.history[was_touching] == 0.0)
     return;
   forces.close(pair.i, pair.j, pair.flag, pair.history);

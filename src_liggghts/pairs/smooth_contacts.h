@@ -7,10 +7,10 @@
 #ifndef SMOOTH_CONTACTS_H_
 #define SMOOTH_CONTACTS_H_
 
-#include "contact_forces.h"
 #include "ellipsoid/contact_batch.h"
 #include "ellipsoid_shapes.h"
 #include "neighbour_pairs.h"
+#include "pair_forces.h"
 #include "particle_arrays.h"
 #include "surface_contacts.h"
 #include "surface_motions.h"
@@ -22,8 +22,8 @@ namespace LIGGGHTS {
 class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
  public:
   SmoothContacts(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::PairGranEllipsoid& pair);
-  void read_settings(const PairSettings&) override {}
-  ContactCounts compute(ContactForces& forces, bool is_time_step) override;
+  void read_settings(const ModelSettings&) override {}
+  ContactCounts compute(PairForces& forces, bool is_time_step) override;
 
  private:
   enum { normal_x, normal_y, normal_z, was_touching }; // offsets in the history
@@ -62,12 +62,12 @@ class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
   void check_due_pairs();
   void check_gaps();
   void find_gaps();
-  void search_active_pairs(ContactForces& forces);
-  void search_together(ContactForces& forces);
-  bool search_alone(const NearPair& pair, ContactForces& forces);
+  void search_active_pairs(PairForces& forces);
+  void search_together(PairForces& forces);
+  bool search_alone(const NearPair& pair, PairForces& forces);
   bool touches(const Contact& pair, const Finding& finding, SearchCounts& counts,
-               ContactForces& forces) const;
-  void close(const Contact& pair, ContactForces& forces) const;
+               PairForces& forces) const;
+  void close(const Contact& pair, PairForces& forces) const;
   void count(const SearchCounts& counts);
 
   ellipsoid::Vector3 centre_distance(int i, int j) const;

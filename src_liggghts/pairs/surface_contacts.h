@@ -6,8 +6,8 @@
 
 namespace LIGGGHTS {
 
-class ContactForces;
-class PairSettings;
+class PairForces;
+class ModelSettings;
 
 /// The contacts of all pairs of particles with one kind of surface: finds them, and hands them to
 /// the forces.
@@ -15,10 +15,10 @@ class SurfaceContacts {
  public:
   virtual ~SurfaceContacts() = default;
   /// After the contact models have added their values to the history.
-  virtual void read_settings(const PairSettings& settings) = 0;
+  virtual void read_settings(const ModelSettings& settings) = 0;
   /// @param[in] is_time_step false: forces are computed for the same moment again, as when a run is
   ///            set up, which leaves no trace in what is remembered
-  virtual ContactCounts compute(ContactForces& forces, bool is_time_step) = 0;
+  virtual ContactCounts compute(PairForces& forces, bool is_time_step) = 0;
 };
 
 } // namespace LIGGGHTS

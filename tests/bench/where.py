@@ -10,7 +10,7 @@ from scripts import SPHERE
 #: part of the work: what the names of its functions look like; the first match counts
 PARTS = (
     ("contact law", r"tangential_force|advance_spring|add_contact_force|TangentialModel|NormalModel|"
-                    r"surfacesIntersectNonSpherical|\blaw_|ContactLawBatch|ContactForces|HostModelsOf"),
+                    r"surfacesIntersectNonSpherical|\blaw_|ContactLawBatch|PairForces|HostModelsOf"),
     ("contact geometry", r"ellipsoid::(?!.*(?:rotat|turn|angular|inertia|Rotation))|SurfaceMotions|"
                          r"EllipsoidShapes|"
                          r"MathExtraLiggghtsNonspherical|SurfaceModel<|MultisphereParticles|"

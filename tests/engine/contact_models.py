@@ -25,6 +25,7 @@ PAPER = "model hertz/viscous tangential history/viscous"
 NORMAL = ("hertz", "hertz/stiffness", "hooke", "hooke/stiffness", "hooke/hysteresis", "luding")
 WITHOUT_ROLLING = [
     *(f"model {normal} tangential history" for normal in NORMAL),
+    "model hooke/viscous tangential history/viscous",
     "model hertz", "model hertz tangential no_history", "model luding tangential tan_luding",
     "model hertz tangential history cohesion sjkr", "model hertz tangential history cohesion sjkr2",
     "model hooke/stiffness tangential no_history cohesion sjkr2",
@@ -36,6 +37,7 @@ WITH_ROLLING = [
 COHESION_ENERGY_DENSITY = 2e5
 RELATIVE = 1e-10  # rounding, which two impacts have amplified
 PROPERTIES = {
+    "springStiffnessNormal": 1e4, "springStiffnessTangential": 8e3,
     "kn": 3e7, "kt": 2e7, "gamman": 1e4, "gammat": 1e4,
     "coefficientRollingFriction": 0.1, "coefficientRollingViscousDamping": 0.0,
     "cohesionEnergyDensity": COHESION_ENERGY_DENSITY, "coefficientMaxElasticStiffness": 4.0,
@@ -200,6 +202,53 @@ class Ellipsoids(unittest.TestCase):
     @staticmethod
     def section(radius, overlap):
         return math.pi * (radius ** 2 - (radius - overlap) ** 2)
+
+
+class Batches(unittest.TestCase):
+    """Forces in batches and by the host's own models, in the same state. `heating_tracking on` changes
+    nothing but the way that is taken."""
+
+    LAWS = [f"model {normal} tangential history {more}" for normal in ("hertz", "hooke") for more in
+            ("", "cohesion sjkr rolling_friction cdt", "cohesion sjkr2 rolling_friction epsd2")]
+    LAWS += ["model hertz/stiffness tangential history", "model hooke/stiffness tangential history",
+             "model hertz tangential no_history rolling_friction epsd2"]
+
+    def rows(self, law, surface, settings, name):
+        setup = crowd_setup(surface)
+        setup.pair = f"gran/ellipsoid {law} surface {surface} {settings}"
+        axes = (2.6e-3, 2.3e-3, 1.8e-3) if surface == "smooth" else (2.5e-3, 1.7e-3, 1.7e-3)
+        script = setup.with_particles(crowd(axes), f"{name}.data") + "neigh_modify page 1000000\n"
+        if surface != "smooth":
+            script += subspheres(5)
+        script += "fix motion all nve/ellipsoid\n" + lists(name, 50).split("compute wall")[0] + dump(f"{name}.dump", 50) + "run 200\n"
+        outcome = run(with_properties(script, law), name=f"in.{name}")
+        return outcome.text, read_dump(f"{name}.dump")[1], read_rows(f"{name}.pairs")
+
+    def test_results_of_the_hosts_models(self):
+        for surface in "smooth", "multisphere contacts 16":
+            for k, law in enumerate(self.LAWS):
+                name = f"batch{surface[0]}{k}"
+                text, particles, pairs = self.rows(law, surface, "tangential_damping on limitForce on", name)
+                self.assertIn("forces of contacts are computed in batches", text)
+                text, same_particles, same_pairs = self.rows(
+                    law, surface, "tangential_damping on limitForce on heating_tracking on", f"{name}h")
+                self.assertIn("one by one", text)
+                self.assertIn("'heating_tracking on' does not run in batches", text)
+                for columns in ("fx", "fy", "fz"), ("tqx", "tqy", "tqz"), ("vx", "vy", "vz"):
+                    found, expected = vectors(particles, *columns), vectors(same_particles, *columns)
+                    self.assertLess(np.abs(found - expected).max() / np.abs(expected).max(), 1e-9, law)
+                for step, expected in same_pairs.items():
+                    self.assertEqual(pairs[step].shape, expected.shape)
+                    self.assertGreater(len(expected), 20)
+                    scale = np.abs(expected).max(axis=0)
+                    difference = np.abs(pairs[step] - expected) / np.where(scale > 0.0, scale, 1.0)
+                    self.assertLess(difference.max(), 1e-9, law)
+
+    def test_what_does_not_run_in_batches_says_so(self):
+        for law, reason in (("model luding tangential history", "this 'model'"),
+                            ("model hertz tangential history rolling_friction epsd", "this 'rolling_friction'")):
+            text, _, _ = self.rows(law, "smooth", "", "one_by_one")
+            self.assertIn(f"one by one, which takes longer: {reason} does not run in batches", text)
 
 
 class Refused(unittest.TestCase):

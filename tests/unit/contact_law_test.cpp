@@ -32,55 +32,54 @@ TEST(ContactLaw, LikeMaterialsGiveThePublishedStiffness) {
 
 TEST(ContactLaw, SpringBelowTheLimit) {
   Vector3 spring{1e-6, 0.0, -2e-6};
-  const TangentialContact contact{3000.0, 0.2, 1.0, {0.01, 0.0, 0.02}};
-  const Vector3 force = tangential_force(SlipDirection::displacement, contact, spring);
+  const TangentialContact<> contact{3000.0, 0.2, 1.0, {0.01, 0.0, 0.02}};
+  const Vector3 force = friction<SlipDirection::displacement>(contact, spring);
   expect_near(force, {-3e-3 - 2e-3, 0.0, 6e-3 - 4e-3}, 1e-17);
   expect_near(spring, {1e-6, 0.0, -2e-6}, 0.0);
 }
 
 TEST(ContactLaw, SlidingKeepsTheDirectionAndShortensTheSpring) {
   Vector3 spring{3e-4, 0.0, 4e-4};
-  const TangentialContact contact{3000.0, 0.0, 0.6, {0.01, 0.0, 0.02}};
-  const Vector3 force = tangential_force(SlipDirection::displacement, contact, spring);
+  const TangentialContact<> contact{3000.0, 0.0, 0.6, {0.01, 0.0, 0.02}};
+  const Vector3 force = friction<SlipDirection::displacement>(contact, spring);
   expect_near(force, {-0.36, 0.0, -0.48}, 1e-15); // 0.6 against the spring
   expect_near(-3000.0 * spring, force, 1e-15);
 }
 
 TEST(ContactLaw, ShortenedSpringGivesTheSameForceAgain) {
   Vector3 spring{3e-4, 0.0, 4e-4};
-  const TangentialContact contact{3000.0, 5.0, 0.6, {0.01, 0.0, -0.02}};
-  const Vector3 force = tangential_force(SlipDirection::displacement, contact, spring);
+  const TangentialContact<> contact{3000.0, 5.0, 0.6, {0.01, 0.0, -0.02}};
+  const Vector3 force = friction<SlipDirection::displacement>(contact, spring);
   EXPECT_NEAR(norm(force), 0.6, 1e-15);
-  expect_near(tangential_force(SlipDirection::displacement, contact, spring), force, 1e-14);
+  expect_near(friction<SlipDirection::displacement>(contact, spring), force, 1e-14);
 }
 
 TEST(ContactLaw, VelocityDirectionIsAgainstThePresentVelocity) {
   Vector3 spring{1e-6, 0.0, -2e-6};
-  const TangentialContact contact{3000.0, 0.2, 1.0, {0.0, 0.0, 0.02}};
-  const Vector3 force = tangential_force(SlipDirection::velocity, contact, spring);
+  const TangentialContact<> contact{3000.0, 0.2, 1.0, {0.0, 0.0, 0.02}};
+  const Vector3 force = friction<SlipDirection::velocity>(contact, spring);
   // magnitude of (24): |k spring + damping|, limited, along the velocity
   expect_near(force, {0.0, 0.0, -std::hypot(3e-3, -6e-3 + 4e-3)}, 1e-17);
-  const TangentialContact at_rest{3000.0, 0.2, 1.0, {}};
-  expect_near(tangential_force(SlipDirection::velocity, at_rest, spring), {}, 0.0);
+  const TangentialContact<> at_rest{3000.0, 0.2, 1.0, {}};
+  expect_near(friction<SlipDirection::velocity>(at_rest, spring), {}, 0.0);
 }
 
 TEST(ContactLaw, VelocityDirectionIsLimitedToo) {
   Vector3 spring{3e-4, 0.0, 4e-4};
-  const TangentialContact contact{3000.0, 0.0, 0.6, {0.0, 0.0, -0.02}};
-  expect_near(tangential_force(SlipDirection::velocity, contact, spring), {0.0, 0.0, 0.6}, 1e-15);
+  const TangentialContact<> contact{3000.0, 0.0, 0.6, {0.0, 0.0, -0.02}};
+  expect_near(friction<SlipDirection::velocity>(contact, spring), {0.0, 0.0, 0.6}, 1e-15);
   EXPECT_NEAR(3000.0 * norm(spring), 0.6, 1e-15);
 }
 
 TEST(ContactLaw, NothingWithoutFriction) {
   Vector3 spring{3e-4, 0.0, 4e-4};
-  const TangentialContact contact{3000.0, 5.0, 0.0, {0.01, 0.0, 0.02}};
-  expect_near(tangential_force(SlipDirection::displacement, contact, spring), {}, 0.0);
+  const TangentialContact<> contact{3000.0, 5.0, 0.0, {0.01, 0.0, 0.02}};
+  expect_near(friction<SlipDirection::displacement>(contact, spring), {}, 0.0);
 }
 
 TEST(ContactLaw, NoSlipNoSpringNoForce) {
   Vector3 spring;
-  expect_near(tangential_force(SlipDirection::displacement, {3000.0, 5.0, 0.6, {}}, spring), {},
-              0.0);
+  expect_near(friction<SlipDirection::displacement>({3000.0, 5.0, 0.6, {}}, spring), {}, 0.0);
 }
 
 TEST(ContactLaw, TheSpringGrowsWithTheSlip) {

@@ -216,8 +216,6 @@ inline void search_loop(Columns& c, int size) {
     search_pairs<InSpace>(c, size);
 }
 
-ELLIPSOID_VECTOR_VERSIONS(search, Columns)
-
 template <class Place> inline void separate_pairs(Columns& c, int size) {
   using C = Columns;
   Work w;
@@ -236,11 +234,11 @@ inline void separate_all_loop(Columns& c, int size) {
     separate_pairs<InSpace>(c, size);
 }
 
-ELLIPSOID_VECTOR_VERSIONS(separate_all, Columns)
-
 } // namespace
 
-void ContactBatch::solve() { search(columns_, filled_up(columns_.in, size(), loop_width)); }
+void ContactBatch::solve() {
+  WidestVersion<search_loop>::run(columns_, filled_up(columns_.in, size(), loop_width));
+}
 
 void ContactBatch::solve_open() {
   using C = Columns;
@@ -264,7 +262,7 @@ void ContactBatch::solve_open() {
 }
 
 void ContactBatch::find_gaps() {
-  separate_all(columns_, filled_up(columns_.in, size(), loop_width));
+  WidestVersion<separate_all_loop>::run(columns_, filled_up(columns_.in, size(), loop_width));
 }
 
 ContactGeometry ContactBatch::search_alone(int k) const {

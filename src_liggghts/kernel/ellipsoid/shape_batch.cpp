@@ -45,10 +45,8 @@ inline void make_all_loop(ShapeRows& rows, int count) {
   }
 }
 
-ELLIPSOID_VECTOR_VERSIONS(make_all, ShapeRows)
-
 } // namespace
 
-void make_shapes(ShapeRows rows, int count) { make_all(rows, count); }
+void make_shapes(ShapeRows rows, int count) { WidestVersion<make_all_loop>::run(rows, count); }
 
 } // namespace ellipsoid

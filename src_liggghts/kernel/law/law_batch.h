@@ -1,14 +1,15 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// The contact law (23), (24) of Markauskas et al. 2010 for many contacts at once: the functions of
-// contact_law.h in a loop that the compiler turns into vector instructions. Every contact gets the
-// same operations in the same order whatever the width of the vectors.
+// Contact laws (23), (24) of Markauskas et al. 2010, and others, for many contacts at once: the
+// laws of normal_laws.h, tangential_laws.h ... in loops that the compiler turns into vector
+// instructions. Every contact gets the same operations in the same order whatever the width of the
+// vectors.
 //
 // Sign conventions are those of contact_law.h: the unit normal points from j to i, forces act on i.
 #pragma once
 
 #include "ellipsoid/contact_batch.h"
-#include "law/contact_law.h"
+#include "law/law_columns.h"
 
 namespace ellipsoid {
 
@@ -27,15 +28,6 @@ struct PairMotion {
   Vector3 omega_i, omega_j; ///< angular velocities (rad/time)
 };
 
-/// Material of a contact.
-struct LawParameters {
-  double effective_modulus;       ///< E* (pressure)
-  double effective_shear_modulus; ///< G* (pressure)
-  double normal_damping;          ///< eta_n (1/time)
-  double tangential_damping;      ///< eta_t (1/time)
-  double friction;                ///< mu
-};
-
 /// Masses of the two bodies; m_ij = m_i m_j / (m_i + m_j).
 struct PairMasses {
   double i, j;
@@ -51,24 +43,22 @@ struct ContactAction {
   double normal_force;        ///< F_n (23) (force)
 };
 
-/// What all contacts of a time step have in common.
-struct LawPass {
-  double time_step;      ///< by which springs grow (time)
-  bool advances_springs; ///< false: springs stay as they are unless friction shortens them
-  bool no_attraction;    ///< a normal force that pulls counts as 0
-};
-
 class ContactLawBatch : public Batch {
  public:
   void add(const ContactFrame& frame);
   /// Instead of add(): as many contacts as the batch has pairs, where it found them.
   void set_frames(const ContactBatch& pairs);
-  /// Of contact k, which without it means nothing.
+  /// Of contact k, which without it means nothing. Numbers that the laws do not need are left out.
+  void set_motion(int k, const PairMotion& motion, const PairMasses& masses);
+  void set_parameters(int k, const LawParameters& parameters);
   /// @param[in] spring accumulated tangential displacement of the last step (length)
-  void set_state(int k, const PairMotion& motion, const LawParameters& parameters,
-                 const PairMasses& masses, const Vector3& spring);
+  void set_spring(int k, const Vector3& spring);
+  /// @param[in] torque of rolling friction in the last step
+  void set_rolling_torque(int k, const Vector3& torque);
+  /// The same for all contacts, also those to come.
+  void set_parameters_of_all(const LawParameters& parameters);
 
-  void solve(const LawPass& pass);
+  void solve(const ContactLaws& laws, const LawPass& pass);
 
   /// Whether all forces, after solve(), lie along x and y and all torques along z.
   bool are_in_plane() const { return columns_.are_in_plane; }
@@ -78,74 +68,17 @@ class ContactLawBatch : public Batch {
   ContactAction action(int k) const;
   /// Its spring, grown by (18) and shortened to what friction bears (length).
   Vector3 spring(int k) const;
-
-  /// Columns of numbers, one per contact.
-  struct Columns {
-    enum Input {
-      nx,
-      ny,
-      nz,
-      lix,
-      liy,
-      liz,
-      ljx,
-      ljy,
-      ljz,
-      overlap,
-      radius,
-      radius_i,
-      radius_j,
-      vx,
-      vy,
-      vz,
-      wix,
-      wiy,
-      wiz,
-      wjx,
-      wjy,
-      wjz,
-      modulus,
-      shear_modulus,
-      normal_damping,
-      tangential_damping,
-      friction,
-      mass_i,
-      mass_j,
-      sx,
-      sy,
-      sz,
-      input_count
-    };
-    enum Result {
-      fx,
-      fy,
-      fz,
-      tix,
-      tiy,
-      tiz,
-      tjx,
-      tjy,
-      tjz,
-      normal_force,
-      new_sx,
-      new_sy,
-      new_sz,
-      result_count
-    };
-    alignas(64) double in[input_count][column_length];
-    alignas(64) double out[result_count][column_length];
-    LawPass pass{};
-    bool are_in_plane = false; ///< all contacts, and so forces along x and y and torques along z
-  };
+  /// What its law of rolling friction remembers.
+  Vector3 rolling_torque(int k) const;
 
  private:
-  Columns columns_{};
+  LawColumns columns_{};
 };
 
 // Inline, and number by number, as in contact_batch.h.
 
 inline void ContactLawBatch::add(const ContactFrame& frame) {
-  using C = Columns;
+  using C = LawColumns;
   const int k = next();
   const InSpace at{k};
   at.put(columns_.in, C::nx, frame.normal);
@@ -157,26 +90,31 @@ inline void ContactLawBatch::add(const ContactFrame& frame) {
   columns_.in[C::radius_j][k] = frame.radius_j;
 }
 
-inline void ContactLawBatch::set_state(int k, const PairMotion& motion,
-                                       const LawParameters& parameters, const PairMasses& masses,
-                                       const Vector3& spring) {
-  using C = Columns;
+inline void ContactLawBatch::set_motion(int k, const PairMotion& motion, const PairMasses& masses) {
+  using C = LawColumns;
   const InSpace at{k};
   at.put(columns_.in, C::vx, motion.velocity);
   at.put(columns_.in, C::wix, motion.omega_i);
   at.put(columns_.in, C::wjx, motion.omega_j);
-  columns_.in[C::modulus][k] = parameters.effective_modulus;
-  columns_.in[C::shear_modulus][k] = parameters.effective_shear_modulus;
-  columns_.in[C::normal_damping][k] = parameters.normal_damping;
-  columns_.in[C::tangential_damping][k] = parameters.tangential_damping;
-  columns_.in[C::friction][k] = parameters.friction;
   columns_.in[C::mass_i][k] = masses.i;
   columns_.in[C::mass_j][k] = masses.j;
-  at.put(columns_.in, C::sx, spring);
+}
+
+inline void ContactLawBatch::set_parameters(int k, const LawParameters& parameters) {
+  for (int p = 0; p < LawParameters::count; ++p)
+    columns_.in[LawColumns::parameters + p][k] = parameters.values[p];
+}
+
+inline void ContactLawBatch::set_spring(int k, const Vector3& spring) {
+  InSpace{k}.put(columns_.in, LawColumns::sx, spring);
+}
+
+inline void ContactLawBatch::set_rolling_torque(int k, const Vector3& torque) {
+  InSpace{k}.put(columns_.in, LawColumns::rx, torque);
 }
 
 inline ContactFrame ContactLawBatch::frame(int k) const {
-  using C = Columns;
+  using C = LawColumns;
   const auto vector = [this, k](int first) { return InSpace{k}.vector(columns_.in, first); };
   const auto in = [this, k](int column) { return columns_.in[column][k]; };
   return {vector(C::nx), vector(C::lix),  vector(C::ljx), in(C::overlap),
@@ -184,13 +122,17 @@ inline ContactFrame ContactLawBatch::frame(int k) const {
 }
 
 inline ContactAction ContactLawBatch::action(int k) const {
-  using C = Columns;
+  using C = LawColumns;
   const auto out = [this, k](int first) { return InSpace{k}.vector(columns_.out, first); };
   return {out(C::fx), out(C::tix), out(C::tjx), columns_.out[C::normal_force][k]};
 }
 
 inline Vector3 ContactLawBatch::spring(int k) const {
-  return InSpace{k}.vector(columns_.out, Columns::new_sx);
+  return InSpace{k}.vector(columns_.out, LawColumns::new_sx);
+}
+
+inline Vector3 ContactLawBatch::rolling_torque(int k) const {
+  return InSpace{k}.vector(columns_.out, LawColumns::new_rx);
 }
 
 } // namespace ellipsoid

@@ -24,11 +24,18 @@ inline PlaneVector operator*(double s, const PlaneVector& a) { return {s * a.x, 
 inline double dot(const PlaneVector& a, const PlaneVector& b) { return a.x * b.x + a.y * b.y; }
 inline double norm(const PlaneVector& a) { return std::sqrt(dot(a, a)); }
 inline PlaneVector normalized(const PlaneVector& a) { return (1.0 / norm(a)) * a; }
+inline PlaneVector chosen(bool first, const PlaneVector& a, const PlaneVector& b) {
+  return {first ? a.x : b.x, first ? a.y : b.y};
+}
 
 /// The part along z.
 inline double cross(const PlaneVector& a, const PlaneVector& b) { return a.x * b.y - a.y * b.x; }
 /// Of a vector along z with a vector in the plane.
 inline PlaneVector cross(double z, const PlaneVector& b) { return {-(z * b.y), z * b.x}; }
+
+/// Of a vector along z, which lies across every vector in the plane.
+inline double norm(double z) { return std::fabs(z); }
+inline double part_along(double, const PlaneVector&) { return 0.0; }
 
 /// Symmetric 3x3 matrix with z as one of its principal axes.
 struct PlaneMatrix {

@@ -43,6 +43,12 @@ inline Vector3 cross(const Vector3& a, const Vector3& b) {
 }
 inline double norm(const Vector3& a) { return std::sqrt(dot(a, a)); }
 inline Vector3 normalized(const Vector3& a) { return (1.0 / norm(a)) * a; }
+/// Its part along a unit vector.
+inline Vector3 part_along(const Vector3& a, const Vector3& unit) { return dot(a, unit) * unit; }
+/// One of the two, without a branch.
+inline Vector3 chosen(bool first, const Vector3& a, const Vector3& b) {
+  return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
+}
 
 /// Symmetric 3x3 matrix by its six independent entries.
 struct SymmetricMatrix3 {

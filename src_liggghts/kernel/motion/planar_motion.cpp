@@ -86,19 +86,16 @@ inline void end_loop(PlanarStep& s, int count) {
   }
 }
 
-ELLIPSOID_VECTOR_VERSIONS(start, PlanarStep)
-ELLIPSOID_VECTOR_VERSIONS(end, PlanarStep)
-
 } // namespace
 
 void start_planar_step(const PlanarRows& rows, int count, double time_step, double half_step) {
   PlanarStep step{rows, time_step, half_step};
-  start(step, count);
+  WidestVersion<start_loop>::run(step, count);
 }
 
 void end_planar_step(const PlanarRows& rows, int count, double half_step) {
   PlanarStep step{rows, 0.0, half_step};
-  end(step, count);
+  WidestVersion<end_loop>::run(step, count);
 }
 
 Quaternion rotate_about_z(const Quaternion& q, double angle) {

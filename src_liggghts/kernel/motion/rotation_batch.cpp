@@ -55,13 +55,11 @@ inline void rotate_loop(C& c, int size) {
   for_items(0, size, [&c](int k) { Body{c, k}.finish(); });
 }
 
-ELLIPSOID_VECTOR_VERSIONS(rotate, RotationBatch::Columns)
-
 } // namespace
 
 void RotationBatch::solve(double time_step) {
   columns_.time_step = time_step;
-  rotate(columns_, size());
+  WidestVersion<rotate_loop>::run(columns_, size());
 }
 
 } // namespace ellipsoid

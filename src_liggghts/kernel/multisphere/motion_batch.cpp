@@ -35,8 +35,6 @@ inline void take_all_loop(Rows& rows, int count) {
                                                   squares[4 * k + 2] + squares[4 * k + 3]));
 }
 
-ELLIPSOID_VECTOR_VERSIONS(take_all, Rows)
-
 struct ChainStep {
   const ChainRows& chains;
   Motions& motions;
@@ -74,18 +72,16 @@ inline void take_chains_loop(ChainStep& step, int count) {
     turns[k] = lengths[k] * std::sqrt(squares[k]) + growth[k];
 }
 
-ELLIPSOID_VECTOR_VERSIONS(take_chains, ChainStep)
-
 } // namespace
 
 void take_motions(const PoseRows& poses, Motions& motions) {
   Rows rows{poses, motions};
-  take_all(rows, motions.count);
+  WidestVersion<take_all_loop>::run(rows, motions.count);
 }
 
 void take_motions(const ChainRows& chains, Motions& motions) {
   ChainStep step{chains, motions};
-  take_chains(step, motions.count);
+  WidestVersion<take_chains_loop>::run(step, motions.count);
 }
 
 } // namespace ellipsoid

@@ -29,13 +29,11 @@ inline void advance_all_loop(Rows& rows, int count) {
   }
 }
 
-ELLIPSOID_VECTOR_VERSIONS(advance_all, Rows)
-
 } // namespace
 
 void MotionClocks::advance_from(std::size_t first, const Motions& motions) {
   Rows rows{motions, &displacement_[3 * first], &turn_[first], &pace_[first], &time_[first]};
-  advance_all(rows, motions.count);
+  WidestVersion<advance_all_loop>::run(rows, motions.count);
 }
 
 } // namespace ellipsoid

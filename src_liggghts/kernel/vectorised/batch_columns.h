@@ -47,13 +47,6 @@ inline bool all_zero(const Rows& c, std::initializer_list<int> columns, int size
   return true;
 }
 
-inline Vector3 chosen(bool first, const Vector3& a, const Vector3& b) {
-  return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
-}
-inline PlaneVector chosen(bool first, const PlaneVector& a, const PlaneVector& b) {
-  return {first ? a.x : b.x, first ? a.y : b.y};
-}
-
 /// Numbers of item k in columns, in space.
 struct InSpace {
   using Vector = Vector3;

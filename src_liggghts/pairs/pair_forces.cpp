@@ -1,11 +1,11 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#include "contact_forces.h"
+#include "pair_forces.h"
 
 #include "atom.h"
 #include "ellipsoid_host.h"
 #include "force.h"
+#include "model_settings.h"
 #include "pair_gran_ellipsoid.h"
-#include "pair_settings.h"
 #include "update.h"
 
 #include <cmath>
@@ -14,47 +14,56 @@ namespace LIGGGHTS {
 
 using namespace LAMMPS_NS;
 using namespace ContactModels;
+using ellipsoid::LawKind;
 using ellipsoid_host::store;
 using ellipsoid_host::vector;
 
-void ContactForces::read_settings(const PairSettings& settings) {
-  in_batches_ = models_.contact_match("normal", "hertz/viscous") &&
-                models_.contact_match("tangential", "history/viscous") &&
-                models_.contact_match("cohesion", "off") &&
-                models_.contact_match("rolling_friction", "off") &&
-                settings.value("direction", "displacement") == "displacement" &&
-                !settings.is_on("ellipticalContact");
-  no_attraction_ = settings.is_on("limitForce");
-  if (in_batches_)
-    spring_offset_ = pair_.history_offset("springx");
+void PairForces::read_settings(const ModelSettings& settings) {
+  choice_ = choose_laws(models_, settings);
+  if (!run_in_batches())
+    return;
+  const auto memory = [this](LawKind kind) {
+    const ellipsoid::BatchedLaw* law = choice_.laws[kind];
+    return law && !law->memory.empty() ? pair_.history_offset(law->memory) : -1;
+  };
+  spring_offset_ = memory(LawKind::tangential);
+  rolling_offset_ = memory(LawKind::rolling);
+  law_flags_ = CONTACT_NORMAL_MODEL |
+               (choice_.laws[LawKind::cohesion] ? CONTACT_COHESION_MODEL : 0) |
+               CONTACT_TANGENTIAL_MODEL | (rolling_offset_ >= 0 ? CONTACT_ROLLING_MODEL : 0);
 }
 
-void ContactForces::connect(PropertyRegistry& registry) {
-  if (in_batches_)
-    tables_.connect(registry);
+void PairForces::connect(PropertyRegistry& registry) {
+  if (force->nktv2p != 1.0)
+    choice_.obstacle = "these 'units' do not run in batches";
+  if (run_in_batches())
+    tables_.connect(registry, choice_.laws);
 }
 
-void ContactForces::begin_step(bool for_list) {
+void PairForces::begin_step(bool for_list) {
   particles_ = ParticleArrays(*atom);
   newton_ = force->newton_pair;
   computes_forces_ = pair_.computeflag();
   is_time_step_ = pair_.computeflag() && pair_.shearupdate();
   frozen_group_ = pair_.freeze_group_bit();
   rigid_masses_ = pair_.fr_pair() ? pair_.mr_pair() : nullptr;
-  if (in_batches_)
+  if (run_in_batches()) {
     tables_.begin_step();
+    if (tables_.are_uniform())
+      batch_.set_parameters_of_all(tables_.parameters(1, 1));
+  }
   reports_.begin_step(for_list);
   SurfacesIntersectData data = pass_data();
   models_.begin_pass(data);
 }
 
-void ContactForces::end_step() {
+void PairForces::end_step() {
   SurfacesIntersectData data = pass_data();
   models_.end_pass(data);
   reports_.end_step();
 }
 
-SurfacesIntersectData ContactForces::pass_data() const {
+SurfacesIntersectData PairForces::pass_data() const {
   SurfacesIntersectData data;
   data.is_non_spherical = true;
   data.computeflag = pair_.computeflag();
@@ -62,11 +71,11 @@ SurfacesIntersectData ContactForces::pass_data() const {
   return data;
 }
 
-double ContactForces::mass(int i) const {
+double PairForces::mass(int i) const {
   return rigid_masses_ && rigid_masses_[i] > 0.0 ? rigid_masses_[i] : particles_.mass[i];
 }
 
-inline ellipsoid::PairMasses ContactForces::masses(int i, int j) const {
+inline ellipsoid::PairMasses PairForces::masses(int i, int j) const {
   if (!frozen_group_ && !rigid_masses_)
     return {particles_.mass[i], particles_.mass[j]};
   if (particles_.mask[i] & frozen_group_)
@@ -76,7 +85,7 @@ inline ellipsoid::PairMasses ContactForces::masses(int i, int j) const {
   return {mass(i), mass(j)};
 }
 
-void ContactForces::close(int i, int j, int* flag, double* history) {
+void PairForces::close(int i, int j, int* flag, double* history) {
   SurfacesIntersectData data = pass_data();
   data.i = i;
   data.j = j;
@@ -85,25 +94,27 @@ void ContactForces::close(int i, int j, int* flag, double* history) {
   models_.close(data);
 }
 
-void ContactForces::apply_found(const ellipsoid::ContactBatch& search, const Contact* contacts,
-                                bool are_flagged) {
+void PairForces::apply_found(const ellipsoid::ContactBatch& search, const Contact* contacts,
+                             bool are_flagged) {
   apply_added();
   batch_.set_frames(search);
   apply(contacts, are_flagged);
   batch_.clear();
 }
 
-void ContactForces::apply(const Contact* contacts, bool are_flagged) {
-  if (in_batches_)
+void PairForces::apply(const Contact* contacts, bool are_flagged) {
+  if (run_in_batches())
     apply_in_batch(contacts, are_flagged);
   else
     apply_by_models(contacts);
 }
 
 /// Forces are added up in the order of the contacts.
-void ContactForces::apply_in_batch(const Contact* contacts, bool are_flagged) {
+void PairForces::apply_in_batch(const Contact* contacts, bool are_flagged) {
   gather(contacts, are_flagged);
-  batch_.solve({update->dt, is_time_step_, no_attraction_});
+  choice_.pass.time_step = update->dt;
+  choice_.pass.is_time_step = is_time_step_;
+  batch_.solve(choice_.laws, choice_.pass);
   const bool in_plane = batch_.are_in_plane(), computes = computes_forces_;
   const bool reports = reports_.are_wanted() || pair_.keeps_records();
   for (int k = 0; k < batch_.size(); ++k) {
@@ -111,7 +122,7 @@ void ContactForces::apply_in_batch(const Contact* contacts, bool are_flagged) {
     if (!contact.history)
       continue;
     if (is_time_step_)
-      store(batch_.spring(k), &contact.history[spring_offset_]);
+      remember(contact, k);
     if (computes && in_plane)
       add_action<true>(contact, k);
     else if (computes)
@@ -121,25 +132,38 @@ void ContactForces::apply_in_batch(const Contact* contacts, bool are_flagged) {
   }
 }
 
-/// Motion, material, masses and springs of the contacts.
-void ContactForces::gather(const Contact* contacts, bool are_flagged) {
+/// Motion, masses, material and memory of the contacts.
+void PairForces::gather(const Contact* contacts, bool are_flagged) {
+  const bool uniform = tables_.are_uniform();
   for (int k = 0; k < batch_.size(); ++k) {
     const int i = contacts[k].i, j = contacts[k].j;
     const double* history = contacts[k].history;
     if (!history)
       continue;
     if (!are_flagged)
-      *contacts[k].flag |= CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
-    batch_.set_state(k,
-                     {vector(particles_.v[i]) - vector(particles_.v[j]),
-                      vector(particles_.omega[i]), vector(particles_.omega[j])},
-                     tables_.parameters(particles_.type[i], particles_.type[j]), masses(i, j),
-                     vector(&history[spring_offset_]));
+      *contacts[k].flag |= law_flags_;
+    batch_.set_motion(k,
+                      {vector(particles_.v[i]) - vector(particles_.v[j]),
+                       vector(particles_.omega[i]), vector(particles_.omega[j])},
+                      masses(i, j));
+    if (!uniform)
+      batch_.set_parameters(k, tables_.parameters(particles_.type[i], particles_.type[j]));
+    if (spring_offset_ >= 0)
+      batch_.set_spring(k, vector(&history[spring_offset_]));
+    if (rolling_offset_ >= 0)
+      batch_.set_rolling_torque(k, vector(&history[rolling_offset_]));
   }
 }
 
+inline void PairForces::remember(const Contact& contact, int k) const {
+  if (spring_offset_ >= 0)
+    store(batch_.spring(k), &contact.history[spring_offset_]);
+  if (rolling_offset_ >= 0)
+    store(batch_.rolling_torque(k), &contact.history[rolling_offset_]);
+}
+
 /// @tparam in_plane the other numbers are 0
-template <bool in_plane> inline void ContactForces::add_action(const Contact& contact, int k) {
+template <bool in_plane> inline void PairForces::add_action(const Contact& contact, int k) {
   const ellipsoid::ContactAction action = batch_.action(k);
   const auto add = [this](int i, const ellipsoid::Vector3& f, const ellipsoid::Vector3& t) {
     double *to = particles_.f[i], *torque = particles_.torque[i];
@@ -160,7 +184,7 @@ template <bool in_plane> inline void ContactForces::add_action(const Contact& co
   add(contact.j, -share_j * action.force, share_j * action.torque_j);
 }
 
-__attribute__((noinline)) void ContactForces::report_action(const Contact& contact, int k) {
+__attribute__((noinline)) void PairForces::report_action(const Contact& contact, int k) {
   const ellipsoid::ContactAction action = batch_.action(k);
   const SurfacesIntersectData c = record(contact, k);
   ForceData force_i, force_j;
@@ -176,7 +200,7 @@ __attribute__((noinline)) void ContactForces::report_action(const Contact& conta
     reports_.add(c, force_i, force_j, owns(c.j));
 }
 
-void ContactForces::apply_by_models(const Contact* contacts) {
+void PairForces::apply_by_models(const Contact* contacts) {
   const auto weigh = [](ForceData& f, double weight) {
     for (int k = 0; k < 3; ++k) {
       f.delta_F[k] *= weight;
@@ -208,7 +232,7 @@ void ContactForces::apply_by_models(const Contact* contacts) {
   }
 }
 
-void ContactForces::add_force(int i, const ForceData& force) {
+void PairForces::add_force(int i, const ForceData& force) {
   const double relax = pair_.relax(i);
   for (int k = 0; k < 3; ++k) {
     atom->f[i][k] += relax * force.delta_F[k];
@@ -216,12 +240,12 @@ void ContactForces::add_force(int i, const ForceData& force) {
   }
 }
 
-ellipsoid::Vector3 ContactForces::centre_distance(int i, int j) const {
+ellipsoid::Vector3 PairForces::centre_distance(int i, int j) const {
   return vector(particles_.x[j]) - vector(particles_.x[i]);
 }
 
 /// Contact k of the batch as the host's contact models want it.
-SurfacesIntersectData ContactForces::record(const Contact& contact, int k) const {
+SurfacesIntersectData PairForces::record(const Contact& contact, int k) const {
   const int i = contact.i, j = contact.j;
   const ellipsoid::ContactFrame frame = batch_.frame(k);
   SurfacesIntersectData c = pass_data();

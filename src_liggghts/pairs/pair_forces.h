@@ -2,8 +2,8 @@
 //
 // Forces and torques of contacts: of many at once by the kernel's batch of contact laws where it
 // has the chosen one (batched_law.h), otherwise one after the other by the host's contact models.
-#ifndef CONTACT_FORCES_H_
-#define CONTACT_FORCES_H_
+#ifndef PAIR_FORCES_H_
+#define PAIR_FORCES_H_
 
 #include "batched_law.h"
 #include "contact_reports.h"
@@ -12,17 +12,21 @@
 #include "near_pair.h"
 #include "particle_arrays.h"
 
+#include <string>
+
 namespace LIGGGHTS {
 
-class PairSettings;
+class ModelSettings;
 
-class ContactForces : private LAMMPS_NS::Pointers {
+class PairForces : private LAMMPS_NS::Pointers {
  public:
-  ContactForces(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::PairGranEllipsoid& pair,
-                ContactModels::HostModels& models)
+  PairForces(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::PairGranEllipsoid& pair,
+             ContactModels::HostModels& models)
       : Pointers(lmp), pair_(pair), models_(models), reports_(lmp, pair) {}
 
-  void read_settings(const PairSettings& settings);
+  void read_settings(const ModelSettings& settings);
+  /// Why contacts do not run in batches; empty: they do.
+  const std::string& obstacle() const { return choice_.obstacle; }
   /// After the models have registered their properties.
   void connect(PropertyRegistry& registry);
 
@@ -62,9 +66,10 @@ class ContactForces : private LAMMPS_NS::Pointers {
 
   ellipsoid::ContactLawBatch batch_;
   Contact added_[ellipsoid::ContactLawBatch::capacity];
-  bool in_batches_ = false, no_attraction_ = false;
-  int spring_offset_ = 0; // in the history of a contact
-  ContactModels::PaperLawTables tables_;
+  ContactModels::LawChoice choice_;
+  ContactModels::LawTables tables_;
+  int law_flags_ = 0;                            // that there is a contact, per kind of model
+  int spring_offset_ = -1, rolling_offset_ = -1; // in the history of a contact; -1: no memory
 
   ContactModels::SurfacesIntersectData pass_data() const;
   double mass(int i) const;
@@ -73,8 +78,10 @@ class ContactForces : private LAMMPS_NS::Pointers {
   bool owns(int j) const { return newton_ || j < particles_.owned; }
 
   void apply(const Contact* contacts, bool are_flagged);
+  bool run_in_batches() const { return choice_.obstacle.empty(); }
   void apply_in_batch(const Contact* contacts, bool are_flagged);
   void gather(const Contact* contacts, bool are_flagged);
+  void remember(const Contact& contact, int k) const;
   template <bool in_plane> void add_action(const Contact& contact, int k);
   void report_action(const Contact& contact, int k);
   void apply_by_models(const Contact* contacts);

@@ -1,18 +1,19 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#ifndef PAIR_SETTINGS_H_
-#define PAIR_SETTINGS_H_
+#ifndef MODEL_SETTINGS_H_
+#define MODEL_SETTINGS_H_
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace LIGGGHTS {
 
 /// The settings of the contact models as the command gave them: keywords with a value each, which
 /// the models have accepted before.
-class PairSettings {
+class ModelSettings {
  public:
-  PairSettings() = default;
-  PairSettings(int count, char** arguments) {
+  ModelSettings() = default;
+  ModelSettings(int count, char** arguments) {
     for (int k = 0; k + 1 < count; k += 2)
       values_[arguments[k]] = arguments[k + 1];
   }
@@ -23,6 +24,14 @@ class PairSettings {
   }
   bool is_on(const std::string& keyword, bool without = false) const {
     return value(keyword, without ? "on" : "off") == "on";
+  }
+  /// The keywords whose value is 'on'.
+  std::vector<std::string> switched_on() const {
+    std::vector<std::string> keywords;
+    for (const auto& setting : values_)
+      if (setting.second == "on")
+        keywords.push_back(setting.first);
+    return keywords;
   }
   int number(const std::string& keyword, int without) const {
     return std::stoi(value(keyword, std::to_string(without)));
