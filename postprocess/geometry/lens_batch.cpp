@@ -199,10 +199,10 @@ inline void look_loop(Columns& columns, int size) {
     look_at_pair(columns, k);
 }
 
-ELLIPSOID_VECTOR_VERSIONS(look, Columns)
-
 } // namespace
 
-void LensBatch::solve() { look(m_columns, filled_up(m_columns.in, size())); }
+void LensBatch::solve() {
+  WidestVersion<look_loop>::run(m_columns, filled_up(m_columns.in, size()));
+}
 
 } // namespace ellipsoid::post

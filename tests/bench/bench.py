@@ -22,8 +22,8 @@ import numpy as np
 import where
 from figures import CASE, figure_rows, write_figures
 from machine import description
-from scripts import (SIDE, SMOOTH, SPHERE, SUPERQUADRIC, damped, moving_bodies, multisphere, rigid,
-                     rigid_bodies, settle, timed)
+from scripts import (LAW, SIDE, SMOOTH, SPHERE, SUPERQUADRIC, damped, moving_bodies, multisphere, rigid,
+                     rigid_bodies, settle, timed, with_law)
 from start import A, B, VOLUME_RADIUS, bodies, compaction, data_file, lattice, tile
 
 HERE = Path(__file__).parent
@@ -44,6 +44,17 @@ BED_SHAPES = [SMOOTH, multisphere(5), multisphere(17), multisphere(55), SUPERQUA
 FEW_SHAPES = [SMOOTH, multisphere(5), multisphere(17)]
 
 
+#: contact laws of common scripts, beside the paper's
+OTHER_LAWS = {
+    "hertz": "model hertz tangential history",
+    "hertz, cdt": "model hertz tangential history rolling_friction cdt",
+    "hertz, epsd2": "model hertz tangential history rolling_friction epsd2",
+    "hertz, sjkr2, cdt": "model hertz tangential history cohesion sjkr2 rolling_friction cdt",
+    "hooke": "model hooke tangential history",
+    "velocity": f"{LAW} direction velocity",
+}
+
+
 @dataclass
 class Group:
     """Shapes that are compared with each other and with spheres."""
@@ -54,6 +65,7 @@ class Group:
     tiles: tuple = (1, 1)
     ranks: int = 1
     most_repeats: int = 99
+    law: str = LAW
 
     @property
     def particles(self):
@@ -79,6 +91,7 @@ def groups():
         Group("compaction, 2 ranks", "compaction", FEW_SHAPES, ranks=2, most_repeats=2),
         Group("flow", "flow", FEW_SHAPES),
         Group("cloud", "cloud", FEW_SHAPES),
+        *(Group(f"bed 1000, {name}", "bed", FEW_SHAPES[:2], law=law) for name, law in OTHER_LAWS.items()),
         Group("size 10000", "bed", FEW_SHAPES[:2], (5, 2), 1, 2),
         Group("size 100000", "bed", FEW_SHAPES[:2], (10, 10), 1, 2),
         Group("size 1000000", "bed", [SMOOTH], (40, 25), 1, 1),
@@ -204,7 +217,7 @@ class Bench:
         if group.tiles != (1, 1):
             start = self.state(f"tiles{group.particles}.{start.name}",
                                lambda file: tile(start, file, group.tiles, SIDE))
-        return moving_bodies(shape, group.case, start) + timed(steps, warm), steps
+        return with_law(moving_bodies(shape, group.case, start), group.law) + timed(steps, warm), steps
 
     def rigid_script(self, shape, start):
         """The host's rigid bodies, read from their restart file."""
@@ -320,6 +333,9 @@ TARGETS = (
      "< 11", 1.0),
     ("one rank to two, smooth, 30,000", ("bed 30000", "smooth"), ("bed 30000, 2 ranks", "smooth"),
      ">= 1.7", 1.9),
+    *((f"smooth, {law}, bed of 1000, to spheres", (f"bed 1000, {law}", "smooth"), (f"bed 1000, {law}", "sphere"),
+       bound, aim) for law, bound, aim in (("hertz", "<= 1.25", 1.0), ("hertz, cdt", "<= 1.4", 1.1),
+                                           ("hertz, epsd2", "<= 1.4", 1.1), ("hertz, sjkr2, cdt", "<= 1.5", 1.1))),
 )
 
 

@@ -1,5 +1,6 @@
 """Input scripts of the benchmarks in space, for every kind of particle. SI units."""
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -97,6 +98,25 @@ fix m5 all property/global viscousDampingTangential {table(damping)}
 pair_style {shape.pair}
 pair_coeff * *
 """
+
+
+#: of the host's laws, per pair of the two types; a cohesion that does not move the bed
+HOST_PROPERTIES = {"coefficientRestitution": 0.5, "coefficientRollingFriction": 0.1, "cohesionEnergyDensity": 1e3}
+
+
+def with_law(script, law):
+    """The script of a bed with another contact law for particles and walls."""
+    if law == LAW:
+        return script
+    models, *setting = law.split(" direction ")
+    lines = "fix velocity all property/global characteristicVelocity scalar 0.5\n"
+    for name, value in HOST_PROPERTIES.items():
+        lines += f"fix {name} all property/global {name} peratomtypepair 2 {' '.join([str(value)] * 4)}\n"
+    script = script.replace("pair_style", lines + "pair_style", 1).replace(LAW, models)
+    if not setting:
+        return script
+    last = r"^(pair_style .*|fix \w+ all wall/gran.*)$"  # a setting stands after all else
+    return re.sub(last, rf"\1 direction {setting[0]}", script, flags=re.MULTILINE)
 
 
 def timed(steps, warm):
