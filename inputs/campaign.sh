@@ -11,7 +11,9 @@
 #   after --    variables of inputs/piling.in for all runs, for example -var particles 1000 -var dt 5e-6
 #
 # May be killed at any moment and started again: finished runs are kept, the others go on from their
-# last restart file. Each run has a folder DIR/SURFACE_seedS with all that piling.in writes there.
+# last restart file. Each run has a folder DIR/SURFACE_seedS with all that piling.in writes there. Only
+# runs that came to their end are measured: the engine ends with status 0 after SIGTERM and Ctrl-C too,
+# but its last restart file, restart.end, is only there at the end.
 set -euo pipefail
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 engine=${ELLIPSOID_BIN:-$repository/build/bin}/liggghts
@@ -44,6 +46,16 @@ done
 [[ -n $out ]] || fail "option --out is missing; say where the results go"
 [[ $jobs =~ ^[1-9][0-9]*$ ]] || fail "--jobs is '$jobs', allowed is an integer > 0"
 [[ -x $engine ]] || fail "there is no engine at $engine; build it (bash inputs/quickstart.sh)"
+# safe PATH: what the engine's scripts can use as a name
+safe() {
+  [[ $1 =~ ^[A-Za-z0-9._/+,:=@%~^-]+$ ]] ||
+    fail "the path '$1' has blanks or signs that the engine's scripts cannot use; choose letters, digits and . _ / + , : = @ % ~ ^ - only"
+}
+safe "$out"
+case $out in
+  /*) ;;
+  *) safe "$PWD/$out" ;;
+esac
 mkdir -p "$out"
 out=$(cd "$out" && pwd)
 
@@ -121,12 +133,17 @@ run_one() {
   fi
   starts+=("")
   local start
+  rm -f "$folder/restart.end"
   for start in "${starts[@]}"; do
     local -a from=()
     [[ -z $start ]] || from=(-var go_on yes -var restart_from "$start")
     if (cd "$folder" && "$engine" -in "$repository/inputs/piling.in" -log none -screen none \
       "${arguments[@]}" "${from[@]}" ${variables[@]+"${variables[@]}"}) \
       >>"$folder/output" 2>&1 </dev/null; then
+      if [[ ! -s $folder/restart.end ]]; then
+        echo "  $name: interrupted before its end; the same line goes on with it"
+        return 1
+      fi
       "$tools" pile --one-run "$folder"/pile.*.dump --quiet --csv "$folder/pile.csv.part" \
         --picture "$folder/pile.svg" >>"$folder/output" 2>&1
       mv "$folder/pile.csv.part" "$folder/pile.csv"
@@ -172,8 +189,10 @@ echo "=== Means and margins"
 "$tools" summary "$out"/*/pile.csv --csv "$out/summary.csv"
 echo "=== Report"
 final_frames=()
-for folder in "$out"/*/; do
-  final_frames+=("$(printf '%s\n' "$folder"pile.*.dump | sort | tail -n 1)")
+for entry in "${matrix[@]}"; do
+  # shellcheck disable=SC2086 # surface and seed are two words
+  folder=$(folder_of $entry)
+  final_frames+=("$(printf '%s\n' "$folder"/pile.*.dump | sort | tail -n 1)")
 done
 "$tools" report --each-file "${final_frames[@]}" --output "$out/report.html" --quiet
 echo "$out/report.html"

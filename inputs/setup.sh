@@ -12,6 +12,7 @@ cmake_options=() # those that the machine calls for
 
 wanted_packages=(build-essential cmake ninja-build ccache patch xz-utils ca-certificates
   openmpi-bin libopenmpi-dev libeigen3-dev libcli11-dev libfmt-dev nlohmann-json3-dev zlib1g-dev
+  libbz2-dev liblzma-dev libzstd-dev
   libcairo2-dev pkg-config libgtest-dev python3 python3-numpy)
 vtk_packages=(libvtk9-dev)
 
@@ -185,6 +186,10 @@ install_missing_packages() {
 
 # configure [CMAKE_OPTION...]
 configure() {
+  if [[ $repository =~ [[:space:]] ]]; then
+    echo "The path of this clone, '$repository', has blanks, which the host's build cannot use: move it." >&2
+    return 1
+  fi
   if command -v ninja >/dev/null && [[ ! -f $build/CMakeCache.txt ]]; then
     cmake_options+=(-G Ninja)
   fi

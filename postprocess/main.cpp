@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <exception>
 #include <string>
+#include <vector>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -18,6 +19,12 @@ void keep_free_memory() {
   mallopt(M_MMAP_THRESHOLD, 8 << 20);
   mallopt(M_TRIM_THRESHOLD, 64 << 20);
 #endif
+}
+
+/// "-.5" would be taken for an option: "-0.5".
+void complete_number(std::string& word) {
+  if (word.size() > 2 && word[0] == '-' && word[1] == '.' && word[2] >= '0' && word[2] <= '9')
+    word.insert(1, "0");
 }
 
 /// The message for a first word that is no command, or nothing.
@@ -38,6 +45,13 @@ std::string unknown_command(const CLI::App& program, int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace ellipsoid::post;
+  std::vector<std::string> words(argv, argv + argc);
+  std::vector<char*> arguments;
+  for (std::string& word : words) {
+    complete_number(word);
+    arguments.push_back(word.data());
+  }
+  arguments.push_back(nullptr);
   keep_free_memory();
   CLI::App program("ellipsoid-post: measures and shows what LIGGGHTS piled up, from its dumps.",
                    "ellipsoid-post");
@@ -49,7 +63,7 @@ int main(int argc, char** argv) {
   for (unsigned k = 0; k < command_count; ++k)
     command_rows[k].add(program, exit_code);
   try {
-    program.parse(argc, argv);
+    program.parse(argc, arguments.data());
   } catch (const CLI::ParseError& error) {
     if (const std::string unknown = unknown_command(program, argc, argv); !unknown.empty()) {
       report_error(unknown);

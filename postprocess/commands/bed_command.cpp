@@ -2,8 +2,8 @@
 #include "bed.h"
 #include "frame_loop.h"
 #include "frame_options.h"
+#include "gravity_options.h"
 #include "messages.h"
-#include "upright_options.h"
 
 #include <memory>
 
@@ -12,7 +12,7 @@ namespace {
 
 struct BedOptions {
   FrameOptions frames;
-  std::string up = "z", profile;
+  std::string up, profile;
   std::vector<double> box, cylinder;
   int planes = 200, slices = 10;
   bool is_below_surface = false;
@@ -42,13 +42,30 @@ BedRegion region_of(const BedOptions& options) {
   return region;
 }
 
+/// What a frame's measures need.
+struct BedFrame {
+  UpDirection up;
+  BedRegion region;
+  ParticleSet set; ///< upright, with images
+  BedSurface surface;
+};
+
+BedFrame bed_frame(const BedOptions& options, const ChosenFrame& chosen) {
+  BedFrame bed;
+  bed.up = up_direction(options.up, chosen);
+  bed.region = region_of(options);
+  bed.set = particles_in(turned_upright(chosen.set, bed.up.axis), bed.region);
+  bed.surface = surface_of(options, bed.set, bed.region);
+  return bed;
+}
+
 Row bed_row(const BedOptions& options, const ChosenFrame& chosen) {
-  const ParticleSet set = upright(chosen.set, options.up);
-  const BedRegion region = region_of(options);
-  const BedPorosity p = bed_porosity(set, region, options.planes, surface_of(options, set, region));
+  const BedFrame bed = bed_frame(options, chosen);
+  const BedPorosity p = bed_porosity(bed.set, bed.region, options.planes, bed.surface);
   if (!(p.total_volume > 0.0))
     throw InputError("the region has no volume below the free surface: check its bounds and --up");
   Row row = frame_row(chosen);
+  append_up(row, bed.up);
   row.push_back({"porosity", "porosity", "", p.porosity});
   row.push_back({"porosity_error", "error of the integration", "", p.error});
   row.push_back({"total_volume_m3", "volume of the region", "m3", p.total_volume});
@@ -57,19 +74,19 @@ Row bed_row(const BedOptions& options, const ChosenFrame& chosen) {
 }
 
 std::vector<Row> profile_rows(const BedOptions& options, const ChosenFrame& chosen) {
-  const ParticleSet set = upright(chosen.set, options.up);
-  const BedRegion region = region_of(options);
+  const BedFrame bed = bed_frame(options, chosen);
   const bool is_radial = options.profile == "radius";
-  if (is_radial && region.shape != BedShape::cylinder)
+  if (is_radial && bed.region.shape != BedShape::cylinder)
     throw InputError("a radial profile needs --cylinder");
   std::vector<Row> rows;
   const auto profile = is_radial ? radial_profile : height_profile;
   for (const BedSlice& slice :
-       profile(set, region, options.slices, options.planes, surface_of(options, set, region))) {
-    rows.push_back(frame_row(chosen));
-    rows.back().push_back({"begin_m", is_radial ? "from radius" : "from height", "m", slice.begin});
-    rows.back().push_back({"end_m", is_radial ? "to radius" : "to height", "m", slice.end});
-    rows.back().push_back({"porosity", "porosity", "", slice.porosity});
+       profile(bed.set, bed.region, options.slices, options.planes, bed.surface)) {
+    Row& row = rows.emplace_back(frame_row(chosen));
+    append_up(row, bed.up);
+    row.push_back({"begin_m", is_radial ? "from radius" : "from height", "m", slice.begin});
+    row.push_back({"end_m", is_radial ? "to radius" : "to height", "m", slice.end});
+    row.push_back({"porosity", "porosity", "", slice.porosity});
   }
   return rows;
 }

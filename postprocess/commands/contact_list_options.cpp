@@ -33,16 +33,29 @@ void add_force_list_options(CLI::App& command, ContactListOptions& options,
   contacts->needs(forces);
 }
 
-Frame contact_list_at(const ContactListOptions& options, std::int64_t timestep) {
-  for (const Run& run : runs_of(options.files, RunGrouping::one_run)) {
-    FrameStream stream(run.files);
-    Frame frame;
-    while (stream.next(frame))
-      if (frame.timestep == timestep)
-        return frame;
+ContactLists::ContactLists(const ContactListOptions& options) : m_options(options) {}
+ContactLists::~ContactLists() = default;
+
+void ContactLists::begin() {
+  const std::vector<Run> runs = runs_of(m_options.files, RunGrouping::one_run);
+  m_stream = std::make_unique<FrameStream>(runs.front().files);
+  m_has_list = false;
+}
+
+const Frame& ContactLists::at(std::int64_t timestep) {
+  if (!m_stream || (m_has_list && m_list.timestep > timestep))
+    begin(); // another run, or frames that are not in the order of time
+  while (!(m_has_list && m_list.timestep >= timestep)) {
+    m_has_list = m_stream->next(m_list);
+    if (!m_has_list)
+      break;
   }
+  if (m_has_list && m_list.timestep == timestep)
+    return m_list;
+  if (!m_has_list)
+    m_stream.reset();
   throw InputError(fmt::format("{}: no contacts of time step {}; dump both at the same steps",
-                               fmt::join(options.files, " "), timestep));
+                               fmt::join(m_options.files, " "), timestep));
 }
 
 } // namespace ellipsoid::post

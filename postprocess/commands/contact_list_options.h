@@ -4,10 +4,14 @@
 #include "command.h"
 #include "contact_forces.h"
 
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace ellipsoid::post {
+
+class FrameStream;
 
 /// Contact lists (dump local) that belong to the particles' dump.
 struct ContactListOptions {
@@ -25,7 +29,22 @@ CLI::Option* add_contact_list_options(CLI::App& command, ContactListOptions& opt
 void add_force_list_options(CLI::App& command, ContactListOptions& options,
                             const std::string& purpose, const std::string& shown);
 
-/// The list at one time step. Throws InputError when there is none.
-Frame contact_list_at(const ContactListOptions& options, std::int64_t timestep);
+/// The contact lists of a series, read forwards once: to be asked in the order of time.
+class ContactLists {
+ public:
+  explicit ContactLists(const ContactListOptions& options);
+  ~ContactLists();
+
+  /// The list at one time step. Throws InputError when there is none.
+  const Frame& at(std::int64_t timestep);
+
+ private:
+  void begin();
+
+  const ContactListOptions& m_options;
+  std::unique_ptr<FrameStream> m_stream;
+  Frame m_list;
+  bool m_has_list = false;
+};
 
 } // namespace ellipsoid::post

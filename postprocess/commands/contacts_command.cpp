@@ -66,6 +66,7 @@ Row geometry_row(const ContactsOptions& options, const ChosenFrame& chosen, Tabl
   const double gap = options.gap * mean_smallest_axis(chosen.set, all_members(chosen.set));
   warn_of_digits(chosen);
   const ContactNetwork network = find_contacts(chosen.set, gap);
+  warn_of_own_images(chosen, network);
   std::vector<Vector3> normals;
   for (const Contact& contact : network.contacts)
     normals.push_back(contact.normal);
@@ -148,7 +149,8 @@ void add_contacts_command(CLI::App& program, int& exit_code) {
       "--normal-columns NX NY NZ, --force-columns FX FY FZ. Strong forces: above the mean force "
       "<f>; P(f/<f>): probability density in bins 0.25 wide.");
   add_frame_options(*command, options->frames);
-  command->add_flag("--local", options->is_local, "the files are contact lists (dump local)");
+  CLI::Option* local =
+      command->add_flag("--local", options->is_local, "the files are contact lists (dump local)");
   command->add_option("--normal-columns", options->normal_columns, "of a contact list")
       ->expected(3);
   command->add_option("--force-columns", options->force_columns, "of a contact list")->expected(3);
@@ -162,6 +164,10 @@ void add_contacts_command(CLI::App& program, int& exit_code) {
   command->add_option("--bins", options->bins, "bins of the rose")
       ->check(CLI::Range(1, 360))
       ->capture_default_str();
+  for (const char* name :
+       {"--frame", "--semiaxes", "--subspheres", "--spacing", "--size-scale", "--column",
+        "--bodies", "--periodic", "--threads", "--contact-gap", "--list"})
+    local->excludes(command->get_option(name));
   command->callback([options, &exit_code] {
     try {
       exit_code = options->is_local ? run_local(*options) : run_geometry(*options);

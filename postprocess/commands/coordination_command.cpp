@@ -19,7 +19,8 @@ struct CoordinationCommandOptions : PileCommandOptions {
   ContactListOptions contacts;
 };
 
-Row coordination_row(const CoordinationCommandOptions& options, const ChosenFrame& chosen) {
+Row coordination_row(const CoordinationCommandOptions& options, ContactLists& lists,
+                     const ChosenFrame& chosen) {
   const PileOptions settings = plane_settings(options.plane);
   const bool is_listed = !options.contacts.files.empty();
   NearPairs near = near_pairs(chosen.set, settings);
@@ -31,10 +32,11 @@ Row coordination_row(const CoordinationCommandOptions& options, const ChosenFram
   if (!is_listed)
     warn_of_digits(chosen);
   if (is_listed)
-    network = listed_contacts(contact_list_at(options.contacts, chosen.frame.timestep),
-                              options.contacts.columns, chosen.set);
+    network =
+        listed_contacts(lists.at(chosen.frame.timestep), options.contacts.columns, chosen.set);
   else if (counting.gap > 0.0)
     network = find_contacts(chosen.set, counting.gap, pile.near);
+  warn_of_own_images(chosen, network);
   const Coordination z = coordination(chosen.set, pile.members, network, counting);
   Row row = frame_row(chosen);
   append_pile(row, chosen.set, pile, settings);
@@ -62,9 +64,13 @@ void add_coordination_command(CLI::App& program, int& exit_code) {
                    "of the contact list: the overlap")
       ->needs(contacts);
   command->callback([options, &exit_code] {
+    ContactLists lists(options->contacts);
+    if (!options->contacts.files.empty())
+      options->frames.threads = 1; // the lists are read in the order of the frames
     exit_code =
-        run_table_command(options->frames, "Coordination numbers",
-                          [&](const ChosenFrame& f) { return coordination_row(*options, f); });
+        run_table_command(options->frames, "Coordination numbers", [&](const ChosenFrame& f) {
+          return coordination_row(*options, lists, f);
+        });
   });
 }
 

@@ -40,4 +40,12 @@ void warn_of_digits(const ChosenFrame& chosen) {
     report_warning(warning, "digits of " + chosen.frame.place.file); // once per file is enough
 }
 
+void warn_of_own_images(const ChosenFrame& chosen, const ContactNetwork& network) {
+  if (network.reaches_itself)
+    report_warning(chosen.run +
+                       ": the box repeats so closely that particles come near their own images; "
+                       "contacts with these are not counted",
+                   "images of " + chosen.run);
+}
+
 } // namespace ellipsoid::post

@@ -2,28 +2,50 @@
 #include "energy.h"
 #include "frame_loop.h"
 #include "frame_options.h"
+#include "gravity_options.h"
 #include "measure_rows.h"
+#include "messages.h"
 #include "table_command.h"
 
 #include <memory>
+#include <optional>
 
 namespace ellipsoid::post {
 namespace {
 
 struct EnergyCommandOptions {
   FrameOptions frames;
-  EnergyOptions energy;
+  std::vector<double> gravity, inertia;
 };
 
+template <class Number> Value known(const std::optional<Number>& number) {
+  return number ? Value(*number) : Value();
+}
+
 Row energy_row(const EnergyCommandOptions& options, const ChosenFrame& chosen) {
-  const Energy e = energy(chosen.set, options.energy);
+  const Gravity gravity = gravity_of(options.gravity, chosen);
+  EnergyOptions settings;
+  settings.gravity = gravity.vector;
+  if (options.inertia.size() == 3)
+    settings.inertia = Vector3{options.inertia[0], options.inertia[1], options.inertia[2]};
+  const Energy e = energy(chosen.set, settings);
+  if (!gravity.vector)
+    report_warning(chosen.run +
+                       ": no potential energy: where gravity points is neither in a log beside "
+                       "the dump nor given by --gravity gx gy gz",
+                   "gravity of " + chosen.run);
+  if (!e.rotation)
+    report_warning(chosen.run +
+                       ": no energy of rotation: the file has no columns omegax omegay omegaz",
+                   "spins of " + chosen.run);
   Row row = frame_row(chosen);
   row.push_back(
       {"particles", "particles", "", static_cast<std::int64_t>(chosen.set.particles.size())});
   row.push_back({"translation_J", "kinetic, translation", "J", e.translation});
-  row.push_back({"rotation_J", "kinetic, rotation", "J", e.rotation});
-  row.push_back({"potential_J", "potential, gravity", "J", e.potential});
-  append_rest(row, check_rest(chosen.set, all_members(chosen.set), norm(options.energy.gravity)));
+  row.push_back({"rotation_J", "kinetic, rotation", "J", known(e.rotation)});
+  row.push_back({"potential_J", "potential, gravity", "J", known(e.potential)});
+  append_gravity(row, gravity);
+  append_rest(row, check_rest(chosen.set, all_members(chosen.set), gravity.magnitude));
   return row;
 }
 
@@ -32,22 +54,19 @@ Row energy_row(const EnergyCommandOptions& options, const ChosenFrame& chosen) {
 void add_energy_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<EnergyCommandOptions>();
   options->frames.frames = "all";
-  auto gravity = std::make_shared<std::vector<double>>(std::vector<double>{0.0, -9.81, 0.0});
-  auto inertia = std::make_shared<std::vector<double>>();
   CLI::App* command = program.add_subcommand("energy", "energies over time and rest check");
   command->footer(
       "Translation: sum of m v^2 / 2. Rotation: sum of w.(I w) / 2 with w in the body's axes and "
       "I1 = m (b^2 + c^2) / 5 and so on (the solid ellipsoid), or --inertia for all particles. "
       "Potential: -sum of m g.x. At rest: every point slower than 0.01 sqrt(g b).");
   add_frame_options(*command, options->frames);
-  command->add_option("--gravity", *gravity, "gx gy gz (m/s2)")->expected(3);
-  command->add_option("--inertia", *inertia, "principal moments about the body's x, y, z (kg m2)")
+  add_gravity_option(*command, options->gravity);
+  command
+      ->add_option("--inertia", options->inertia,
+                   "principal moments about the body's x, y, z (kg m2)")
       ->expected(3)
       ->check(CLI::PositiveNumber);
-  command->callback([options, gravity, inertia, &exit_code] {
-    options->energy.gravity = {(*gravity)[0], (*gravity)[1], (*gravity)[2]};
-    if (inertia->size() == 3)
-      options->energy.inertia = Vector3{(*inertia)[0], (*inertia)[1], (*inertia)[2]};
+  command->callback([options, &exit_code] {
     exit_code = run_table_command(options->frames, "Energy",
                                   [&](const ChosenFrame& f) { return energy_row(*options, f); });
   });

@@ -31,8 +31,12 @@ int FrameChooser::read(const std::vector<std::string>& files) {
       report_error(error.what());
     m_code = exit_bad_data;
   }
-  if (m_options.frames == "last" && m_has_last)
+  if (m_options.frames == "last" && m_has_last) {
+    if (m_last.rows == 0)
+      report_warning(fmt::format("{}: the last frame, of time step {}, holds no particles", m_run,
+                                 m_last.timestep));
     hand_over(m_last);
+  }
   collect_all();
   if (m_chosen == 0 && m_code == exit_good) {
     report_error(no_frame());
@@ -63,6 +67,12 @@ void FrameChooser::take() {
     report_warning(fmt::format("{}: the file is in units '{}'; tables and pictures name those of "
                                "'si', the numbers are the file's",
                                m_run, m_frame.units));
+  if (m_seen > 0 && m_frame.timestep <= m_last_step)
+    report_warning(fmt::format("{}: frame {} of {} is of time step {}, after one of {}: frames are "
+                               "repeated or not in the order of time",
+                               m_run, m_frame.place.frame, m_frame.place.file, m_frame.timestep,
+                               m_last_step),
+                   "order of " + m_run);
   m_first_step = m_seen++ == 0 ? m_frame.timestep : m_first_step;
   m_last_step = m_frame.timestep;
   if (m_options.frames == "last") {
@@ -127,7 +137,10 @@ FrameChooser::Outcome FrameChooser::outcome_of(Frame& frame) const {
 
 void FrameChooser::measure(const Frame& frame, Outcome& outcome) const {
   try {
-    outcome.collect = m_measure({m_run, frame, particles_of(frame, m_options.particles)});
+    const ParticleSet set = particles_of(frame, m_options.particles);
+    for (const std::string& remark : set.remarks)
+      report_warning(m_run + ": " + remark, remark + m_run);
+    outcome.collect = m_measure({m_run, frame, set});
   } catch (const InputError& error) {
     const std::string what = error.what();
     const bool names_place = what.find(frame.place.file) != std::string::npos;

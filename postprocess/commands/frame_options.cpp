@@ -16,29 +16,59 @@ std::string check_frames(const std::string& word) {
   return fmt::format("--frame \"{}\": allowed are last, first, all, or a time step", word);
 }
 
-/// How columns are understood where the file does not say it.
-void add_particle_options(CLI::App& command, FrameOptions& options) {
+/// Sizes and sub-spheres where the file does not say them.
+void add_size_options(CLI::App& command, ParticleOptions& particles) {
   command
-      .add_option("--semiaxes", options.particles.semiaxes,
-                  "a b c of all particles, for files without columns shapex shapey shapez")
+      .add_option("--semiaxes", particles.semiaxes,
+                  "a b c of all particles, for files without sizes")
       ->expected(3)
       ->check(CLI::PositiveNumber);
   command
-      .add_option("--subspheres", options.particles.subspheres,
+      .add_option("--subspheres", particles.subspheres,
                   "number N of sub-spheres of all particles, for files without f_subspheres")
       ->check(CLI::Range(0, largest_sphere_count));
   command
-      .add_option("--spacing", options.spacing_word,
-                  "spacing of these sub-spheres: paper, minimax_outline, minimax_area")
-      ->capture_default_str()
-      ->check(check_by([&options](const std::string& word) {
-        options.particles.spacing = sphere_spacing_from_word(word);
-      }));
+      .add_option_function<std::string>(
+          "--spacing",
+          [&particles](const std::string& word) {
+            particles.spacing = sphere_spacing_from_word(word);
+          },
+          "spacing of these sub-spheres: paper (default), minimax_outline, minimax_area")
+      ->check(check_by([](const std::string& word) { sphere_spacing_from_word(word); }));
   command
-      .add_option("--size-scale", options.particles.sphere_size_scale,
-                  "factor on all sizes of the file (0.5 where it holds diameters)")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+      .add_option(
+          "--size-scale", particles.size_scale,
+          "factor on all sizes of the file (0.5 where it holds whole axes); default: 1, for "
+          "LAMMPS's names 0.5")
+      ->check(CLI::PositiveNumber);
+}
+
+/// What columns and the box mean where the file does not say it.
+void add_column_options(CLI::App& command, ParticleOptions& particles) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--column",
+          [&particles](const std::vector<std::string>& assignments) {
+            for (const std::string& assignment : assignments)
+              add_column_name(particles.columns, assignment);
+          },
+          "NAME=COLUMN: the file's COLUMN is what the table of columns calls NAME")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->take_all()
+      ->check(check_by([](const std::string& assignment) {
+        ColumnNames names;
+        add_column_name(names, assignment);
+      }));
+  command.add_option(
+      "--bodies", particles.bodies,
+      "column whose values > 0 join rows to rigid bodies of spheres, or none; default: "
+      "id_multisphere");
+  command
+      .add_option("--periodic", particles.periodic,
+                  "axes along which the box repeats (x, xy, xyz ...) or none; default: as the file "
+                  "says (VTK files do not)")
+      ->check(CLI::IsMember({"none", "x", "y", "z", "xy", "xz", "yz", "xyz"}));
 }
 
 } // namespace
@@ -47,7 +77,8 @@ void add_frame_options(CLI::App& command, FrameOptions& options) {
   command
       .add_option(
           "runs", options.runs,
-          "dump files (.gz too, \"-\": standard input); files that differ only in their time "
+          "dump files (compressed too, \"-\": standard input); files that differ only in their "
+          "time "
           "step are one run, and so is a quoted pattern 'dump.*'; every other file is a run")
       ->required();
   auto* one_run = command.add_flag("--one-run", options.one_run, "all files together are one run");
@@ -56,7 +87,8 @@ void add_frame_options(CLI::App& command, FrameOptions& options) {
   command.add_option("--frame", options.frames, "last, first, all, or the time step of one frame")
       ->check(CLI::Validator(check_frames, "FRAME"))
       ->capture_default_str();
-  add_particle_options(command, options);
+  add_size_options(command, options.particles);
+  add_column_options(command, options.particles);
   command
       .add_option("--threads", options.threads,
                   "frames measured at the same time with --frame all (0: one per processor)")

@@ -17,7 +17,6 @@ struct FrameOptions : OutputOptions {
   bool one_run = false, each_file = false;
   std::string frames = "last"; ///< "last", "first", "all", or a time step
   ParticleOptions particles;
-  std::string spacing_word = "paper";
   unsigned threads = 0; ///< frames measured at the same time; 0: as many as there are processors
 };
 

@@ -2,10 +2,11 @@
 #include "bed.h"
 #include "frame_loop.h"
 #include "frame_options.h"
+#include "gravity_options.h"
 #include "heap.h"
 #include "measure_rows.h"
+#include "porosity_value.h"
 #include "table_command.h"
-#include "upright_options.h"
 
 #include <fmt/format.h>
 #include <memory>
@@ -16,16 +17,18 @@ namespace {
 struct HeapCommandOptions {
   FrameOptions frames;
   HeapOptions heap;
-  std::string up = "z";
+  std::string up;
   int planes = 200;
 };
 
 Row heap_row(const HeapCommandOptions& options, const ChosenFrame& chosen) {
-  const ParticleSet set = upright(chosen.set, options.up);
+  const UpDirection up = up_direction(options.up, chosen);
+  const ParticleSet set = turned_upright(chosen.set, up.axis);
   const HeapAngle heap = heap_angle(set, options.heap);
   const auto members = largest_cluster(set, options.heap.cluster_gap);
   Row row = frame_row(chosen);
   append_surface(row, set);
+  append_up(row, up);
   row.push_back(
       {"particles", "particles of the heap", "", static_cast<std::int64_t>(heap.members)});
   row.push_back(
@@ -41,7 +44,8 @@ Row heap_row(const HeapCommandOptions& options, const ChosenFrame& chosen) {
   row.push_back({"repose_angle_highest_sector_deg", "highest sector", "deg", heap.spread.highest});
   row.push_back({"heap_volume_m3", "volume below the surface", "m3", heap.volume});
   row.push_back(
-      {"porosity", "porosity", "", 1.0 - solid_volume(set, members, options.planes) / heap.volume});
+      {"porosity", "porosity", "",
+       porosity_of(solid_volume(set, members, options.planes, options.heap.floor), heap.volume)});
   return row;
 }
 

@@ -76,7 +76,8 @@ void append_flanks(Row& row, const std::vector<ReposeAngle>& flanks) {
 
 void append_porosity(Row& row, const Porosity& p) {
   row.push_back({"porosity", "porosity", "", p.porosity});
-  row.push_back({"porosity_by_sum", "porosity by sum of section areas", "", p.porosity_by_sum});
+  row.push_back({"porosity_by_sum", "porosity by sum of section areas", "",
+                 p.porosity_by_sum ? Value(*p.porosity_by_sum) : Value()});
   row.push_back({"total_area_m2", "total area", "m2", p.total_area});
   row.push_back({"solid_area_m2", "solid area", "m2", p.solid_area});
   row.push_back({"overlap_area_share", "overlap over solid area", "", p.overlap_share});

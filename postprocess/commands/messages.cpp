@@ -10,12 +10,22 @@ namespace {
 /// Where the warnings of this thread wait until those of the frames before have been printed.
 thread_local std::vector<Warning>* waiting_warnings = nullptr;
 
+bool is_muted = false;
+
 } // namespace
 
-void report_error(const std::string& message) { fmt::print(stderr, "error: {}\n", message); }
+MuteMessages::MuteMessages() { is_muted = true; }
+MuteMessages::~MuteMessages() { is_muted = false; }
+
+void report_error(const std::string& message) {
+  if (!is_muted)
+    fmt::print(stderr, "error: {}\n", message);
+}
 
 void print(const Warning& warning) {
   static std::set<std::string> known;
+  if (is_muted)
+    return;
   if (warning.once_for.empty() || known.insert(warning.once_for).second)
     fmt::print(stderr, "warning: {}\n", warning.message);
 }

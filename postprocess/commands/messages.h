@@ -16,6 +16,15 @@ struct Warning {
   std::string message, once_for;
 };
 
+/// As long as it lives, nothing is printed.
+class MuteMessages {
+ public:
+  MuteMessages();
+  ~MuteMessages();
+  MuteMessages(const MuteMessages&) = delete;
+  MuteMessages& operator=(const MuteMessages&) = delete;
+};
+
 /// Prints a warning that was kept.
 void print(const Warning& warning);
 

@@ -39,7 +39,9 @@ void add_orientation_command(CLI::App& program, int& exit_code) {
   CLI::App* command =
       program.add_subcommand("orientation", "nematic order and angle rose of the long axes");
   command->footer(
-      "n: body x axis of a particle. S: largest eigenvalue of Q = <3/2 (n n - I/3)>, director its "
+      "n: a particle's long axis, that of its largest semi-axis wherever it is in the body (of two "
+      "or three equal ones the first). S: largest eigenvalue of Q = <3/2 (n n - I/3)>, director "
+      "its "
       "eigenvector. S2 = |<exp(2 i theta)>|, theta the angle of n in the xy plane; the plane's "
       "director is half the phase. Rose: share of particles per bin of theta from 0 to 180 deg.");
   add_frame_options(*command, options->frames);

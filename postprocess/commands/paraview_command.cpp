@@ -35,8 +35,10 @@ SurfaceMesh surfaces_of(const Frame& frame, const ParticleSet& set) {
     rows.resize(mesh.triangles.size(), p.row);
   }
   for (std::size_t k = 0; k < frame.names.size(); ++k) {
-    if (frame.columns[k].empty())
+    if (!frame.is_readable(k)) {
+      report_warning(frame.unreadable[k] + "; the column is left out", frame.unreadable[k]);
       continue;
+    }
     CellValues values{frame.names[k], {}};
     for (const std::size_t row : rows)
       values.values.push_back(frame.columns[k][row]);

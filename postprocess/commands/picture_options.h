@@ -5,21 +5,35 @@
 #include "frame_options.h"
 #include "pile_picture.h"
 
+#include <set>
+#include <string>
+
 namespace ellipsoid::post {
 
 /// Refuses names of pictures that end neither in .svg nor in .png.
 CLI::Validator picture_name_check();
 
-/// A name with the time step in the place of its asterisk: ten digits, so that the names of a film
-/// are in the order of time.
-std::string name_with_step(const std::string& path, std::int64_t step);
+/// Names of the pictures of a command: the asterisk of a pattern becomes the time step, with ten
+/// digits, so that the names of a film are in the order of time.
+class PictureNames {
+ public:
+  explicit PictureNames(std::string pattern) : m_pattern(std::move(pattern)) {}
+  /// Throws InputError for a name that has been given already: nothing is overwritten.
+  std::string next(const ChosenFrame& chosen);
+
+ private:
+  std::string m_pattern;
+  std::set<std::string> m_given;
+};
+
+/// A message for a name without an asterisk for all frames of a run, or nothing.
+std::string film_name_problem(const FrameOptions& frames, const std::string& name);
 
 /// Words above a picture that has no other title.
 std::string frame_title(const ChosenFrame& chosen);
 
-/// Writes the picture of one frame; `path` may hold an asterisk, which becomes the time step.
-/// Throws InputError.
-void write_pile_picture(const std::string& path, const ChosenFrame& chosen, const Pile& pile,
+/// Writes the picture of one frame. Throws InputError.
+void write_pile_picture(const std::string& name, const ChosenFrame& chosen, const Pile& pile,
                         const PileOptions& pile_options, const std::vector<ReposeAngle>& flanks,
                         const PilePictureOptions& options);
 

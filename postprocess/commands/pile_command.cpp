@@ -1,5 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "frame_loop.h"
+#include "gravity_options.h"
+#include "messages.h"
 #include "picture_options.h"
 #include "pile_definitions.h"
 #include "pile_measures.h"
@@ -15,10 +17,10 @@ struct PileTableOptions : PileCommandOptions {
   std::string picture;
 };
 
-Row pile_row(const PileTableOptions& options, const ChosenFrame& chosen) {
+Row pile_row(const PileTableOptions& options, PictureNames& names, const ChosenFrame& chosen) {
   const PileResult result = measure_pile(options, chosen);
   if (!options.picture.empty())
-    write_pile_picture(options.picture, chosen, result.pile, result.settings, result.flanks, {});
+    write_pile_picture(names.next(chosen), chosen, result.pile, result.settings, result.flanks, {});
   return result.row;
 }
 
@@ -34,16 +36,24 @@ void add_pile_command(CLI::App& program, int& exit_code) {
   add_plane_options(*command, options->plane);
   add_porosity_options(*command, *options);
   add_coordination_options(*command, *options);
-  add_rest_options(*command, *options);
+  add_gravity_option(*command, options->gravity);
   command
       ->add_option("--picture", options->picture,
                    "draw the pile as well: a name that ends in .svg or .png, see render")
       ->check(picture_name_check());
   command->callback([options, &exit_code] {
+    if (const std::string problem = film_name_problem(options->frames, options->picture);
+        !problem.empty()) {
+      report_error(problem);
+      exit_code = exit_bad_usage;
+      return;
+    }
     if (!options->picture.empty())
-      options->frames.threads = 1; // pictures may have the same name: the last frame's remains
-    exit_code = run_table_command(options->frames, "Pile",
-                                  [&](const ChosenFrame& f) { return pile_row(*options, f); });
+      options->frames.threads = 1; // names are given in the order of the frames
+    PictureNames names(options->picture);
+    exit_code = run_table_command(options->frames, "Pile", [&](const ChosenFrame& f) {
+      return pile_row(*options, names, f);
+    });
   });
 }
 

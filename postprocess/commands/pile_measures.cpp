@@ -2,9 +2,11 @@
 #include "pile_measures.h"
 
 #include "digits_warning.h"
+#include "gravity_options.h"
 #include "measure_rows.h"
 #include "messages.h"
 #include "plane_options.h"
+#include "run_state.h"
 
 #include <fmt/format.h>
 #include <utility>
@@ -56,7 +58,10 @@ PileResult measure_pile(const PileCommandOptions& options, const ChosenFrame& ch
     network = find_contacts(chosen.set, contacts.gap, pile.near);
   append_coordination(result.row, coordination(chosen.set, pile.members, network, contacts),
                       pile.mean_b);
-  append_rest(result.row, check_rest(chosen.set, pile.members, options.gravity));
+  const Gravity gravity = gravity_of(options.gravity, chosen);
+  append_rest(result.row, check_rest(chosen.set, pile.members, gravity.magnitude));
+  append_gravity(result.row, gravity);
+  append_completeness(result.row, chosen);
   return result;
 }
 

@@ -23,14 +23,6 @@ void add_coordination_options(CLI::App& command, PileCommandOptions& options) {
       ->capture_default_str();
 }
 
-void add_rest_options(CLI::App& command, PileCommandOptions& options) {
-  command
-      .add_option("--gravity", options.gravity,
-                  "for the rest check: every point slower than 0.01 sqrt(g b)")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-}
-
 PorosityOptions porosity_settings(const PileCommandOptions& options) {
   PorosityOptions result;
   result.margin = options.margin;

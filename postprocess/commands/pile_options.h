@@ -7,6 +7,7 @@
 #include "porosity.h"
 
 #include <string>
+#include <vector>
 
 namespace ellipsoid::post {
 
@@ -17,13 +18,12 @@ struct PileCommandOptions {
   std::string region = "whole";
   double margin = 2.0; ///< of the core, in a
   bool with_walls = false;
-  double contact_gap = 0.0; ///< in b
-  double gravity = 9.81;    ///< m/s2
+  double contact_gap = 0.0;    ///< in b
+  std::vector<double> gravity; ///< m/s2, see gravity_of()
 };
 
 void add_porosity_options(CLI::App& command, PileCommandOptions& options);
 void add_coordination_options(CLI::App& command, PileCommandOptions& options);
-void add_rest_options(CLI::App& command, PileCommandOptions& options);
 
 PorosityOptions porosity_settings(const PileCommandOptions& options);
 CoordinationOptions coordination_settings(const PileCommandOptions& options,

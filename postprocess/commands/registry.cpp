@@ -18,6 +18,7 @@ void add_energy_command(CLI::App&, int&);
 void add_summary_command(CLI::App&, int&);
 void add_render_command(CLI::App&, int&);
 void add_render3d_command(CLI::App&, int&);
+void add_film_command(CLI::App&, int&);
 void add_paraview_command(CLI::App&, int&);
 void add_template_command(CLI::App&, int&);
 void add_plot_command(CLI::App&, int&);
@@ -37,6 +38,7 @@ const CommandRow command_rows[] = {
     {"summary", add_summary_command},
     {"render", add_render_command},
     {"render3d", add_render3d_command},
+    {"film", add_film_command},
     {"paraview", add_paraview_command},
     {"template", add_template_command},
     {"plot", add_plot_command},

@@ -1,12 +1,15 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Showing particles in space: pictures, and files for ParaView.
+#include "film_frames.h"
 #include "frame_loop.h"
 #include "frame_options.h"
+#include "gravity_options.h"
+#include "messages.h"
 #include "picture_options.h"
+#include "render_space.h"
 #include "space_picture.h"
 #include "template_files.h"
-#include "upright_options.h"
 
 #include <fmt/format.h>
 #include <memory>
@@ -14,22 +17,14 @@
 namespace ellipsoid::post {
 namespace {
 
-struct RenderSpaceOptions {
-  FrameOptions frames;
-  SpaceView view;
-  std::string up = "z", colour_by, output, title;
-  std::vector<double> colour_range, part;
-  bool is_bare = false;
-};
-
 /// The view, with the part that is to be seen turned upright.
-SpaceView view_of(const RenderSpaceOptions& options) {
+SpaceView view_of(const RenderSpaceOptions& options, UpAxis up) {
   SpaceView view = options.view;
   if (options.part.size() != 6)
     return view;
   view.part = Box();
   for (unsigned k = 0; k < 3; ++k) {
-    const unsigned from = options.up == "y" ? (k + 2) % 3 : k; // as upright() turns the axes
+    const unsigned from = up == UpAxis::y ? (k + 2) % 3 : k; // as turned_upright() does
     view.part->lower[k] = options.part[2 * from];
     view.part->upper[k] = options.part[2 * from + 1];
     if (!(view.part->lower[k] < view.part->upper[k]))
@@ -38,16 +33,38 @@ SpaceView view_of(const RenderSpaceOptions& options) {
   return view;
 }
 
-void render_space(const RenderSpaceOptions& options, const ChosenFrame& chosen) {
-  std::optional<double> low, high;
+/// What all frames of a film take, as far as the user does not say it.
+FilmRange shared_range(const RenderSpaceOptions& options) {
+  const bool needs_view = options.part.empty();
+  const bool needs_colours = options.colour_range.empty() && !options.colour_by.empty();
+  if (options.frames.frames != "all" || (!needs_view && !needs_colours))
+    return {};
+  return film_range(options.frames, [&](FilmRange& range, const ChosenFrame& chosen) {
+    if (needs_view)
+      widen(range, turned_upright(chosen.set, up_direction(options.up, chosen).axis));
+    if (needs_colours)
+      widen_colours(range, chosen, options.colour_by);
+  });
+}
+
+void render_space(const RenderSpaceOptions& options, PictureNames& names, const FilmRange& range,
+                  const ChosenFrame& chosen) {
+  if (is_empty_of_film(options.frames, chosen))
+    return;
+  std::optional<double> low = range.low, high = range.high;
   if (options.colour_range.size() == 2) {
     low = options.colour_range[0];
     high = options.colour_range[1];
   }
   const auto colours = particle_colours(chosen.frame, chosen.set, options.colour_by, low, high);
-  const ParticleSet set = upright(chosen.set, options.up);
-  const SpaceView view = view_of(options);
-  const std::string name = name_with_step(options.output, chosen.frame.timestep);
+  const UpAxis up = up_direction(options.up, chosen).axis;
+  const ParticleSet set = turned_upright(chosen.set, up);
+  SpaceView view = view_of(options, up);
+  if (range.space)
+    view.part = range.space;
+  if (up == UpAxis::y)
+    view.axis_names = {"z", "x", "y"};
+  const std::string name = names.next(chosen);
   const PictureFormat format = picture_format(name);
   if (options.is_bare && format != PictureFormat::png)
     throw InputError(name + ": --bare makes a PNG: choose a name that ends in .png");
@@ -61,6 +78,23 @@ void render_space(const RenderSpaceOptions& options, const ChosenFrame& chosen) 
     fmt::print(stderr, "colours: {} from {:.4g} to {:.4g}\n", colours.label, colours.low,
                colours.high);
 }
+
+} // namespace
+
+int render_spaces(const RenderSpaceOptions& options) {
+  if (const std::string problem = film_name_problem(options.frames, options.output);
+      !problem.empty()) {
+    report_error(problem);
+    return exit_bad_usage;
+  }
+  PictureNames names(options.output);
+  const FilmRange range = shared_range(options);
+  return for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
+    render_space(options, names, range, chosen);
+  });
+}
+
+namespace {
 
 void add_camera_options(CLI::App& command, SpaceView& view) {
   command.add_option("--width", view.width, "pixels")
@@ -103,10 +137,16 @@ void add_render3d_command(CLI::App& program, int& exit_code) {
                    "x0 x1 y0 y1 z0 z1: fits this part of the space into the picture")
       ->expected(6);
   command->add_option("--title", options->title, "words above the picture");
+  command->add_flag("--show-box", options->view.show_box, "draw the edges of the simulation box");
+  command->add_flag("!--no-axes", options->view.show_axes, "without the arrows along x, y and z");
   command->add_flag("--bare", options->is_bare, "PNG of the particles alone, no words and scales");
   command->callback([options, &exit_code] {
-    exit_code = for_chosen_frames(options->frames,
-                                  [&](const ChosenFrame& f) { render_space(*options, f); });
+    try {
+      exit_code = render_spaces(*options);
+    } catch (const InputError& error) {
+      report_error(error.what());
+      exit_code = exit_bad_data;
+    }
   });
 }
 

@@ -1,10 +1,13 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "contact_list_options.h"
+#include "film_frames.h"
 #include "frame_loop.h"
 #include "frame_options.h"
+#include "messages.h"
 #include "picture_options.h"
 #include "pile_measures.h"
 #include "plane_options.h"
+#include "render_pile.h"
 
 #include <fmt/format.h>
 #include <memory>
@@ -12,34 +15,64 @@
 namespace ellipsoid::post {
 namespace {
 
-struct RenderOptions {
-  FrameOptions frames;
-  PlaneOptions plane;
-  PilePictureOptions picture;
-  std::vector<double> view, colour_range;
-  std::string output;
-  bool no_fit = false;
-  ContactListOptions contacts;
+/// What the user gives stands; what all frames of a film take is found in a reading of its own.
+FilmRange shared_range(const RenderOptions& options) {
+  const bool needs_view = options.view.empty();
+  const bool needs_colours = options.colour_range.empty() && !options.picture.colour_by.empty();
+  if (options.frames.frames != "all" || (!needs_view && !needs_colours))
+    return {};
+  return film_range(options.frames, [&](FilmRange& range, const ChosenFrame& chosen) {
+    const PileOptions settings = plane_settings(options.plane);
+    if (needs_view)
+      widen(range, whole_pile(chosen.set, plane_pile(chosen, settings), settings));
+    if (needs_colours)
+      widen_colours(range, chosen, options.picture.colour_by);
+  });
+}
+
+/// A file of pictures, with what they share.
+struct PileFilm {
+  PictureNames names;
+  ContactLists lists;
+  FilmRange range;
 };
 
-void render(const RenderOptions& options, const ChosenFrame& chosen) {
+void render(const RenderOptions& options, PileFilm& film, const ChosenFrame& chosen) {
+  if (is_empty_of_film(options.frames, chosen))
+    return;
   const PileOptions settings = plane_settings(options.plane);
   const Pile pile = plane_pile(chosen, settings);
   PilePictureOptions picture = options.picture;
   picture.show_fit = !options.no_fit;
+  picture.view = film.range.plane;
   if (options.view.size() == 4)
     picture.view = PileView{options.view[0], options.view[1], options.view[2], options.view[3]};
+  picture.colour_low = film.range.low;
+  picture.colour_high = film.range.high;
   if (options.colour_range.size() == 2) {
     picture.colour_low = options.colour_range[0];
     picture.colour_high = options.colour_range[1];
   }
   if (!options.contacts.files.empty())
-    picture.force_chains = force_links(contact_list_at(options.contacts, chosen.frame.timestep),
-                                       options.contacts.columns, chosen.set);
-  write_pile_picture(options.output, chosen, pile, settings, try_flanks(pile, settings), picture);
+    picture.force_chains =
+        force_links(film.lists.at(chosen.frame.timestep), options.contacts.columns, chosen.set);
+  write_pile_picture(film.names.next(chosen), chosen, pile, settings, try_flanks(pile, settings),
+                     picture);
 }
 
 } // namespace
+
+int render_piles(const RenderOptions& options) {
+  if (const std::string problem = film_name_problem(options.frames, options.output);
+      !problem.empty()) {
+    report_error(problem);
+    return exit_bad_usage;
+  }
+  PileFilm film{PictureNames(options.output), ContactLists(options.contacts),
+                shared_range(options)};
+  return for_chosen_frames(options.frames,
+                           [&](const ChosenFrame& chosen) { render(options, film, chosen); });
+}
 
 void add_render_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<RenderOptions>();
@@ -70,8 +103,12 @@ void add_render_command(CLI::App& program, int& exit_code) {
   command->add_flag("--discs", options->picture.show_discs, "draw inner outlines of sub-spheres");
   add_force_list_options(*command, options->contacts, "draws the force chains", "drawn");
   command->callback([options, &exit_code] {
-    exit_code =
-        for_chosen_frames(options->frames, [&](const ChosenFrame& f) { render(*options, f); });
+    try {
+      exit_code = render_piles(*options);
+    } catch (const InputError& error) {
+      report_error(error.what());
+      exit_code = exit_bad_data;
+    }
   });
 }
 

@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "frame_loop.h"
 #include "frame_stream.h"
+#include "gravity_options.h"
 #include "html.h"
 #include "messages.h"
 #include "paper_figures.h"
@@ -9,6 +10,7 @@
 #include "pile_measures.h"
 #include "pile_options.h"
 #include "run_log.h"
+#include "run_state.h"
 #include "run_summary.h"
 
 #include <algorithm>
@@ -81,11 +83,10 @@ void visit(const ReportOptions& options, const ChosenFrame& chosen, Findings& fi
   picture.title = frame_title(chosen);
   findings.pictures.push_back(draw_pile(PictureFormat::svg, chosen.frame, chosen.set, result.pile,
                                         result.settings, result.flanks, picture));
-  const std::string log = log_beside(chosen.frame.place.file);
-  if (log.empty())
-    findings.without_log.push_back(chosen.run);
+  if (const RunLog* log = run_log_of(chosen.frame.place.file))
+    findings.logs.rows.push_back(log_row(chosen.run, *log));
   else
-    findings.logs.rows.push_back(log_row(chosen.run, read_run_log(log)));
+    findings.without_log.push_back(chosen.run);
 }
 
 /// What tells the runs apart: their names without the folders that all have in common, and without
@@ -183,7 +184,11 @@ std::string figures_of(const Table& runs) {
 }
 
 std::string page(const ReportOptions& options, const Findings& findings) {
-  std::string body = "<h2>Mean and margin over runs</h2>\n";
+  std::string body;
+  for (const std::string& run : incomplete_runs(findings.runs))
+    body += "<p><strong>The run " + html_safe(run) +
+            " did not come to its end; it is among the means.</strong></p>\n";
+  body += "<h2>Mean and margin over runs</h2>\n";
   body += html_table(summary_for_people(findings.runs, groups, quantities));
   body += "<p>Margins are half ranges, as in the paper.</p>\n";
   if (const Table compared = compared_with_paper(findings.runs); !compared.rows.empty())
@@ -237,7 +242,7 @@ void add_report_command(CLI::App& program, int& exit_code) {
   add_plane_options(*command, options->plane);
   add_porosity_options(*command, *options);
   add_coordination_options(*command, *options);
-  add_rest_options(*command, *options);
+  add_gravity_option(*command, options->gravity);
   command->add_option("--output,-o", options->output, "file name")->capture_default_str();
   command->add_option("--title", options->title, "heading of the page")->capture_default_str();
   command->callback([options, &exit_code] {

@@ -3,6 +3,7 @@
 #include "input_error.h"
 #include "messages.h"
 #include "output_options.h"
+#include "run_state.h"
 #include "run_summary.h"
 
 #include <algorithm>
@@ -54,6 +55,8 @@ int summarise(const SummaryOptions& options) {
   const Table runs = read_csv_files(options.files, options.quantities);
   const std::vector<std::string> groups = groups_for(options, runs);
   require_columns(options, runs);
+  for (const std::string& run : incomplete_runs(runs))
+    report_warning(run + ": this run did not come to its end; it is among the means");
   const Table summary = summary_of(runs, groups, options.quantities);
   if (prints_text(options.output))
     write_text("-", as_text(summary_for_people(runs, groups, options.quantities)));

@@ -3,13 +3,13 @@
 #include "contact_list_options.h"
 #include "frame_loop.h"
 #include "frame_options.h"
+#include "gravity_options.h"
 #include "messages.h"
 #include "option_checks.h"
 #include "run_log.h"
 #include "run_walls.h"
 #include "stl_mesh.h"
 #include "table.h"
-#include "upright_options.h"
 #include "view_page.h"
 
 #include <cmath>
@@ -23,7 +23,7 @@ namespace {
 struct ViewOptions {
   FrameOptions frames;
   ContactListOptions contacts;
-  std::string output, title, up = "z", colour_by = "speed", log;
+  std::string output, title, up, colour_by = "speed", log;
   std::vector<std::string> meshes;
   bool no_contacts = false, no_walls = false;
 };
@@ -99,14 +99,14 @@ void add_walls(const ViewOptions& options, const std::string& first_file, ViewSe
     add_meshes_of_run(walls, log, settings);
 }
 
-std::vector<ViewContact> contacts_of(const ViewOptions& options, const ChosenFrame& chosen) {
+std::vector<ViewContact> contacts_of(const ViewOptions& options, ContactLists& lists,
+                                     const ChosenFrame& chosen) {
   std::vector<ViewContact> contacts;
   if (options.no_contacts)
     return contacts;
   if (!options.contacts.files.empty()) {
     for (const ForceLink& link :
-         force_links(contact_list_at(options.contacts, chosen.frame.timestep),
-                     options.contacts.columns, chosen.set))
+         force_links(lists.at(chosen.frame.timestep), options.contacts.columns, chosen.set))
       contacts.push_back({link.i, link.j, link.force, 0.0});
     return contacts;
   }
@@ -126,8 +126,23 @@ void say_sizes(const ViewOptions& options, const ViewSurvey& survey, const ViewP
              page.position_error());
 }
 
+/// The axis that points up: as given, or of the first frame's log. 1: y, 2: z.
+int up_axis(const ViewOptions& options) {
+  if (!options.up.empty())
+    return options.up == "y" ? 1 : 2;
+  FrameOptions first = options.frames;
+  first.frames = "first";
+  int axis = 2;
+  const MuteMessages mute; // what is wrong with a file is said when it is read
+  for_chosen_frames(first, [&](const ChosenFrame& chosen) {
+    axis = up_direction("", chosen).axis == UpAxis::y ? 1 : 2;
+  });
+  return axis;
+}
+
 int write_view(const ViewOptions& options) {
-  ViewSurvey survey(options.up == "y" ? 1 : 2);
+  const int up = up_axis(options);
+  ViewSurvey survey(up);
   std::string first_file;
   std::size_t particles = 0;
   const int code = for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
@@ -142,14 +157,15 @@ int write_view(const ViewOptions& options) {
   settings.title =
       options.title.empty() ? std::filesystem::path(first_file).filename().string() : options.title;
   settings.colour_by = options.colour_by;
-  settings.up = options.up == "y" ? 1 : 2;
+  settings.up = up;
   settings.has_contacts = !options.no_contacts;
   settings.has_forces = !options.contacts.files.empty();
   fill_colours(settings);
   add_walls(options, first_file, settings);
   ViewPage page(survey, settings);
+  ContactLists lists(options.contacts);
   const int second = for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
-    page.add(chosen.frame, chosen.set, contacts_of(options, chosen));
+    page.add(chosen.frame, chosen.set, contacts_of(options, lists, chosen));
   });
   if (second != exit_good)
     return second;

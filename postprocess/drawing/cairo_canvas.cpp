@@ -75,17 +75,32 @@ void CairoCanvas::text(const PixelPoint& place, const std::string& words, const 
   cairo_save(m_cairo);
   cairo_select_font_face(m_cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
                          style.is_bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-  cairo_set_font_size(m_cairo, style.size);
-  cairo_text_extents_t extents;
-  cairo_text_extents(m_cairo, words.c_str(), &extents);
+  const std::vector<TextPart> parts = text_parts(words);
+  const auto choose_size = [&](const TextPart& part) {
+    cairo_set_font_size(m_cairo, (part.is_subscript ? subscript_size : 1.0) * style.size);
+  };
+  std::vector<double> widths;
+  double width = 0.0;
+  for (const TextPart& part : parts) {
+    cairo_text_extents_t extents;
+    choose_size(part);
+    cairo_text_extents(m_cairo, part.words.c_str(), &extents);
+    widths.push_back(extents.x_advance);
+    width += extents.x_advance;
+  }
   const double share = style.anchor == Anchor::start    ? 0.0
                        : style.anchor == Anchor::middle ? 0.5
                                                         : 1.0;
   cairo_translate(m_cairo, place.x, place.y);
   cairo_rotate(m_cairo, style.turn_degrees * pi / 180.0);
-  cairo_move_to(m_cairo, -share * extents.x_advance, 0.0);
   set_colour(m_cairo, style.colour, 1.0);
-  cairo_show_text(m_cairo, words.c_str());
+  double begin = -share * width;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    choose_size(parts[k]);
+    cairo_move_to(m_cairo, begin, parts[k].is_subscript ? subscript_depth * style.size : 0.0);
+    cairo_show_text(m_cairo, parts[k].words.c_str());
+    begin += widths[k];
+  }
   cairo_restore(m_cairo);
   cairo_new_path(m_cairo);
 }

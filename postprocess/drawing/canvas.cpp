@@ -10,6 +10,23 @@
 
 namespace ellipsoid::post {
 
+std::vector<TextPart> text_parts(const std::string& words) {
+  std::vector<TextPart> parts;
+  std::size_t place = 0;
+  while (place < words.size()) {
+    const std::size_t mark = words.find("_{", place), end = words.find('}', mark);
+    if (mark == words.npos || end == words.npos) {
+      parts.push_back({words.substr(place), false});
+      break;
+    }
+    if (mark > place)
+      parts.push_back({words.substr(place, mark - place), false});
+    parts.push_back({words.substr(mark + 2, end - mark - 2), true});
+    place = end + 1;
+  }
+  return parts;
+}
+
 PictureFormat picture_format(const std::string& path) {
   const std::string ending = path.size() > 4 ? path.substr(path.size() - 4) : "";
   if (ending == ".svg")

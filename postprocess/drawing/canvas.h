@@ -71,6 +71,15 @@ class Canvas {
   }
 };
 
+/// A stretch of a text; "A_{MS}" is "A" with the subscript "MS".
+struct TextPart {
+  std::string words;
+  bool is_subscript = false;
+};
+std::vector<TextPart> text_parts(const std::string& words);
+/// Size and depth of a subscript as shares of the text's size.
+constexpr double subscript_size = 0.7, subscript_depth = 0.25;
+
 enum class PictureFormat { svg, png };
 
 /// By the ending of a file name (.svg, .png). Throws InputError for any other.

@@ -4,6 +4,8 @@
 #include "axis_scale.h"
 
 #include <fmt/format.h>
+#include <utility>
+#include <vector>
 
 namespace ellipsoid::post {
 namespace {
@@ -26,27 +28,66 @@ void draw_scale_bar(Canvas& canvas, const PixelPoint& left, double pixels_per_le
               text);
 }
 
-void draw_colour_bar(Canvas& canvas, const PixelPoint& corner, const ParticleColours& colours,
-                     double unit) {
-  const double width = 400.0 * unit, height = 18.0 * unit, left = corner.x - width;
-  constexpr int steps = 100;
+namespace {
+
+/// The bar itself, or a patch for each kind.
+void draw_patches(Canvas& canvas, const PixelPoint& left, double width, double height,
+                  const ParticleColours& colours) {
+  const bool has_kinds = !colours.kinds.empty();
+  const std::size_t steps = has_kinds ? colours.kinds.size() : 100;
   Style patch;
   patch.is_filled = true;
   patch.line_width = 0.0;
-  for (int k = 0; k < steps; ++k) {
-    patch.fill =
-        scale_colour(colours, colours.low + (colours.high - colours.low) * (k + 0.5) / steps);
-    const double begin = left + width * k / steps; // to the end: no seams between the patches
-    canvas.rectangle({begin, corner.y}, corner.x - begin, height, patch);
+  for (std::size_t k = 0; k < steps; ++k) {
+    const double share = (static_cast<double>(k) + 0.5) / static_cast<double>(steps);
+    patch.fill = scale_colour(
+        colours, has_kinds ? colours.kinds[k] : colours.low + (colours.high - colours.low) * share);
+    // to the end: no seams between the patches
+    const double begin = left.x + width * static_cast<double>(k) / static_cast<double>(steps);
+    canvas.rectangle({begin, left.y}, left.x + width - begin, height, patch);
   }
+}
+
+/// Where numbers stand below the bar, as shares of its width.
+std::vector<std::pair<double, double>> labelled_places(const ParticleColours& colours) {
+  std::vector<std::pair<double, double>> places;
+  const auto count = static_cast<double>(colours.kinds.size());
+  for (std::size_t k = 0; k < colours.kinds.size(); ++k)
+    places.emplace_back((static_cast<double>(k) + 0.5) / count, colours.kinds[k]);
+  if (!places.empty())
+    return places;
+  const double width = colours.high - colours.low;
+  constexpr int wanted = 5;
+  const auto ticks = colours.is_cyclic ? std::vector<double>{0.0, 45.0, 90.0, 135.0, 180.0}
+                                       : round_ticks(colours.low, colours.high, wanted);
+  for (const double value : ticks)
+    if (width > 0.0 && value >= colours.low && value <= colours.high)
+      places.emplace_back((value - colours.low) / width, value);
+  if (places.size() < 2)
+    places = {{0.0, colours.low}, {1.0, colours.high}};
+  return places;
+}
+
+} // namespace
+
+void draw_colour_bar(Canvas& canvas, const PixelPoint& corner, const ParticleColours& colours,
+                     double unit) {
+  const double width = 400.0 * unit, height = 18.0 * unit, left = corner.x - width;
+  draw_patches(canvas, {left, corner.y}, width, height, colours);
+  Style tick;
+  tick.line = ink;
+  tick.line_width = 1.5 * unit;
   TextStyle text;
   text.size = 20.0 * unit;
-  const double baseline = corner.y + height + 24.0 * unit;
-  canvas.text({left, baseline}, fmt::format("{:.4g}", colours.low), text);
-  text.anchor = Anchor::end;
-  canvas.text({corner.x, baseline}, fmt::format("{:.4g}", colours.high), text);
   text.anchor = Anchor::middle;
-  canvas.text({0.5 * (left + corner.x), baseline}, colours.label, text);
+  const double foot = corner.y + height;
+  for (const auto& [share, value] : labelled_places(colours)) {
+    const double x = left + share * width;
+    if (colours.kinds.empty())
+      canvas.line({x, foot}, {x, foot + 6.0 * unit}, tick);
+    canvas.text({x, foot + 26.0 * unit}, fmt::format("{:.4g}", value), text);
+  }
+  canvas.text({left + 0.5 * width, corner.y - 8.0 * unit}, colours.label, text);
 }
 
 } // namespace ellipsoid::post

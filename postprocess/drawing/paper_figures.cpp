@@ -137,9 +137,9 @@ Series template_ratio(double aspect, double MultisphereMeasures::*ratio, const C
 std::vector<Chart> figure_5() {
   Chart area, perimeter;
   area.title = "5a. Section area of the templates";
-  area.y_label = "A_MS / A_ell";
+  area.y_label = "A_{MS} / A_{ell}";
   perimeter.title = "5b. Perimeter of the templates";
-  perimeter.y_label = "P_MS / P_ell";
+  perimeter.y_label = "P_{MS} / P_{ell}";
   area.x_label = perimeter.x_label = "number of sub-spheres N";
   const std::vector<std::pair<double, Colour>> aspects = {
       {1.5, blue}, {2.35, orange}, {5.0, green}, {10.0, violet}};

@@ -12,8 +12,8 @@ namespace ellipsoid::post {
 namespace {
 
 constexpr double degrees = 180.0 / 3.141592653589793238462643;
-constexpr Colour ink{0.13, 0.15, 0.18}, red{0.80, 0.10, 0.10}, grey{0.45, 0.47, 0.50},
-    pale{0.93, 0.94, 0.95};
+constexpr Colour ink{0.13, 0.15, 0.18}, red{0.80, 0.10, 0.10}, chain_blue{0.00, 0.32, 0.60},
+    grey{0.45, 0.47, 0.50}, pale{0.93, 0.94, 0.95};
 
 /// Margins around the drawn plane (pixels at a width of 1600; they scale with the width).
 constexpr double side_margin = 60.0, top_margin = 70.0, bottom_margin = 110.0, wall_width = 16.0;
@@ -27,30 +27,6 @@ struct Projection {
     return {left + (p.x() - view.left) * scale, top + (view.top - p.y()) * scale};
   }
 };
-
-PileView whole_pile(const ParticleSet& set, const Pile& pile, const PileOptions& options) {
-  const double room = 2.0 * pile.mean_a;
-  PileView view{pile.left, pile.right + room, options.floor, pile.surface.summit().y() + room};
-  if (!options.wall)
-    view.left -= room;
-  // strays are shown as long as they do not shrink the pile much
-  const double farthest = pile.left + 1.25 * (pile.right - pile.left);
-  for (const Particle& p : set.particles)
-    if (p.centre.x + room > view.right && p.centre.x + room < farthest)
-      view.right = p.centre.x + room;
-  // and whole or not at all
-  for (bool is_cut = true; is_cut;) {
-    is_cut = false;
-    for (const Particle& p : set.particles) {
-      const double begin = p.centre.x - p.largest_axis();
-      if (begin > pile.right && begin < view.right && p.centre.x + p.largest_axis() > view.right) {
-        view.right = begin;
-        is_cut = true;
-      }
-    }
-  }
-  return view;
-}
 
 /// An outline as centre, semi-axes and turn: principal axes of the conjugate half-diameters.
 void draw_outline(Canvas& canvas, const Projection& to, const PlaneEllipse& e, const Style& style) {
@@ -175,7 +151,7 @@ void draw_force_chains(Canvas& canvas, const Projection& to, const Pile& pile,
   std::sort(links.begin(), links.end(),
             [](const ForceLink& p, const ForceLink& q) { return p.force < q.force; });
   Style line;
-  line.line = red;
+  line.line = chain_blue;
   for (const ForceLink& link : links) {
     line.line_width = std::max(narrowest, widest_link(to, pile) * link.force / links.back().force);
     canvas.line(to.at({link.begin.x, link.begin.y}), to.at({link.end.x, link.end.y}), line);
@@ -186,7 +162,7 @@ void draw_force_chains(Canvas& canvas, const Projection& to, const Pile& pile,
 void draw_force_scale(Canvas& canvas, const Projection& to, const Pile& pile,
                       const std::vector<ForceLink>& links, double x, double y) {
   Style line;
-  line.line = red;
+  line.line = chain_blue;
   line.line_width = widest_link(to, pile);
   canvas.line({x, y}, {x + 80.0 * to.unit, y}, line);
   TextStyle text;
@@ -206,6 +182,30 @@ Projection projection(const PileView& view, int width) {
 }
 
 } // namespace
+
+PileView whole_pile(const ParticleSet& set, const Pile& pile, const PileOptions& options) {
+  const double room = 2.0 * pile.mean_a;
+  PileView view{pile.left, pile.right + room, options.floor, pile.surface.summit().y() + room};
+  if (!options.wall)
+    view.left -= room;
+  // strays are shown as long as they do not shrink the pile much
+  const double farthest = pile.left + 1.25 * (pile.right - pile.left);
+  for (const Particle& p : set.particles)
+    if (p.centre.x + room > view.right && p.centre.x + room < farthest)
+      view.right = p.centre.x + room;
+  // and whole or not at all
+  for (bool is_cut = true; is_cut;) {
+    is_cut = false;
+    for (const Particle& p : set.particles) {
+      const double begin = p.centre.x - p.largest_axis();
+      if (begin > pile.right && begin < view.right && p.centre.x + p.largest_axis() > view.right) {
+        view.right = begin;
+        is_cut = true;
+      }
+    }
+  }
+  return view;
+}
 
 std::string draw_pile(PictureFormat format, const Frame& frame, const ParticleSet& set,
                       const Pile& pile, const PileOptions& pile_options,

@@ -17,6 +17,9 @@ struct PileView {
   double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0; ///< shown part of the plane (length)
 };
 
+/// What is shown of a pile where nothing else is asked for: all of it, and what lies near it.
+PileView whole_pile(const ParticleSet& set, const Pile& pile, const PileOptions& options);
+
 struct PilePictureOptions {
   int width = 1600;                              ///< pixels; the height follows from the view
   std::string colour_by;                         ///< column, "angle", "speed"; empty: one colour

@@ -202,8 +202,64 @@ SpacePixels draw_space(const ParticleSet& upright, const std::vector<Colour>& co
         image.samples.push_back(
             static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(sample, 0.0, 1.0))));
     }
-  return {std::move(image), screen.scale / rays_per_side};
+  const double scale = screen.scale / rays_per_side;
+  return {std::move(image), scale, {-screen.left * scale, screen.top * scale}};
 }
+
+namespace {
+
+constexpr Colour ink{0.13, 0.15, 0.18}, grey{0.45, 0.47, 0.50};
+
+/// Arrows along x, y and z in the corner, the nearest one last.
+void draw_axes(Canvas& canvas, const SpaceView& view, const PixelPoint& corner, double unit) {
+  const Camera camera(view);
+  const Vector3 axes[3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+  std::array<std::size_t, 3> order{0, 1, 2};
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return camera.seen(axes[i]).z < camera.seen(axes[j]).z;
+  });
+  Style line;
+  line.line = ink;
+  line.line_width = 2.5 * unit;
+  TextStyle text;
+  text.size = 22.0 * unit;
+  text.anchor = Anchor::middle;
+  for (const std::size_t k : order) {
+    const Vector3 tip = camera.seen(axes[k]);
+    const double length = 60.0 * unit;
+    canvas.line(corner, {corner.x + length * tip.x, corner.y - length * tip.y}, line);
+    canvas.text({corner.x + 1.25 * length * tip.x, corner.y - 1.25 * length * tip.y + 8.0 * unit},
+                view.axis_names[k], text);
+  }
+}
+
+/// The twelve edges of a box, also of a tilted one.
+void draw_box(Canvas& canvas, const SpaceView& view, const Box& box, const SpacePixels& pixels,
+              double down, double unit) {
+  const Camera camera(view);
+  const Vector3 corner{box.lower[0], box.lower[1], box.lower[2]};
+  std::vector<Vector3> edges = box.tilted_edges;
+  if (edges.empty())
+    edges = {{box.upper[0] - box.lower[0], 0.0, 0.0},
+             {0.0, box.upper[1] - box.lower[1], 0.0},
+             {0.0, 0.0, box.upper[2] - box.lower[2]}};
+  Style line;
+  line.line = grey;
+  line.line_width = 1.5 * unit;
+  const auto seen = [&](const Vector3& v) {
+    const Vector3 p = camera.seen(v);
+    return PixelPoint{pixels.origin.x + pixels.pixels_per_length * p.x,
+                      down + pixels.origin.y - pixels.pixels_per_length * p.y};
+  };
+  for (std::size_t k = 0; k < 3; ++k)
+    for (const double s : {0.0, 1.0})
+      for (const double t : {0.0, 1.0}) {
+        const Vector3 begin = corner + s * edges[(k + 1) % 3] + t * edges[(k + 2) % 3];
+        canvas.line(seen(begin), seen(begin + edges[k]), line);
+      }
+}
+
+} // namespace
 
 std::string space_picture(PictureFormat format, const ParticleSet& upright,
                           const ParticleColours& colours, const SpaceView& view,
@@ -218,6 +274,12 @@ std::string space_picture(PictureFormat format, const ParticleSet& upright,
   const auto canvas = make_canvas(format, view.width, view.height);
   const SpacePixels pixels = draw_space(upright, colours.colours, inner);
   canvas->image({0.0, heading}, pixels.image);
+  canvas->begin_clip({0.0, heading}, view.width, inner.height);
+  if (view.show_box)
+    draw_box(*canvas, inner, upright.box, pixels, heading, unit);
+  if (view.show_axes)
+    draw_axes(*canvas, inner, {side + 60.0 * unit, heading + inner.height - 90.0 * unit}, unit);
+  canvas->end_clip();
   TextStyle text;
   text.size = 26.0 * unit;
   canvas->text({side, 44.0 * unit}, title, text);

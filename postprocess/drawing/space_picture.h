@@ -5,6 +5,7 @@
 #include "particles.h"
 #include "png.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,12 +17,16 @@ struct SpaceView {
   double elevation_deg = 25.0;    ///< of the camera over the xy plane
   int width = 1200, height = 900; ///< pixels
   double zoom = 1.0;
+  std::array<const char*, 3> axis_names{"x", "y", "z"}; ///< of the upright axes, at the tripod
+  bool show_axes = true;                                ///< a tripod in the corner
+  bool show_box = false;                                ///< the edges of the particles' box
   std::optional<Box> part; ///< what is fitted into the picture; none: all particles
 };
 
 struct SpacePixels {
   PixelImage image;
   double pixels_per_length = 1.0;
+  PixelPoint origin{}; ///< where the origin of space is seen (pixels)
 };
 
 /// Particles in space as shaded ellipsoids or sub-spheres, parallel projection; z points up.

@@ -87,11 +87,22 @@ void SvgCanvas::text(const PixelPoint& place, const std::string& words, const Te
   if (style.turn_degrees != 0.0)
     turn = fmt::format(" transform=\"rotate({:.2f} {:.3f} {:.3f})\"", style.turn_degrees, place.x,
                        place.y);
+  std::string spans;
+  bool was_subscript = false;
+  for (const TextPart& part : text_parts(words)) {
+    const double step = part.is_subscript ? subscript_depth : -subscript_depth;
+    const double size = part.is_subscript ? subscript_size * style.size : style.size;
+    spans += part.is_subscript == was_subscript
+                 ? escaped(part.words)
+                 : fmt::format("<tspan dy=\"{:.3f}\" font-size=\"{:.4g}\">{}</tspan>",
+                               step * style.size, size, escaped(part.words));
+    was_subscript = part.is_subscript;
+  }
   m_text += fmt::format(
       "<text x=\"{:.3f}\" y=\"{:.3f}\" font-size=\"{:.4g}\" text-anchor=\"{}\" fill=\"{}\"{}{}>{}"
       "</text>\n",
       place.x, place.y, style.size, anchor, hex(style.colour),
-      style.is_bold ? " font-weight=\"bold\"" : "", turn, escaped(words));
+      style.is_bold ? " font-weight=\"bold\"" : "", turn, spans);
 }
 
 void SvgCanvas::image(const PixelPoint& corner, const PixelImage& pixels) {

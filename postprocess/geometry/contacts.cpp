@@ -5,6 +5,7 @@
 #include "disjoint_sets.h"
 #include "ellipsoid/contact_batch.h"
 #include "first_look.h"
+#include "periodic_cell.h"
 
 #include <algorithm>
 #include <array>
@@ -12,29 +13,6 @@
 #include <numeric>
 
 namespace ellipsoid::post {
-namespace {
-
-/// Bodies of one particle for the search: its ellipsoid, or its spheres.
-struct SearchBodies {
-  std::vector<EllipsoidShape> smooth; ///< by particle; unused for multi-sphere particles
-  std::vector<Vector3> centres;
-  std::vector<char> is_smooth;
-  std::vector<double> inner_radii; ///< of balls inside the ellipsoids
-
-  /// Whether a look at the centres tells that two ellipsoids touch.
-  bool surely_touch(const NearPairs::Pair& pair) const {
-    const Vector3 d = centres[pair.second] - centres[pair.first];
-    const double reach = inner_radii[pair.first] + inner_radii[pair.second];
-    return dot(d, d) < reach * reach;
-  }
-  bool are_smooth(const NearPairs::Pair& pair) const {
-    return is_smooth[pair.first] && is_smooth[pair.second];
-  }
-  void add_to(FirstLookBatch& looks, const NearPairs::Pair& pair) const {
-    const auto [i, j] = pair;
-    looks.add(smooth[i], smooth[j], centres[j] - centres[i]);
-  }
-};
 
 double bounding_radius(const ParticleSet& set, const Particle& p) {
   if (p.is_smooth())
@@ -44,6 +22,33 @@ double bounding_radius(const ParticleSet& set, const Particle& p) {
     radius = std::max(radius, norm(set.spheres[k].centre - p.centre) + set.spheres[k].radius);
   return radius;
 }
+
+namespace {
+
+/// Bodies of one particle for the search: its ellipsoid, or its spheres.
+struct SearchBodies {
+  std::vector<EllipsoidShape> smooth; ///< by particle; unused for multi-sphere particles
+  std::vector<Vector3> centres;
+  std::vector<char> is_smooth;
+  std::vector<double> inner_radii; ///< of balls inside the ellipsoids
+
+  /// From the first particle's centre to that of the second one's image.
+  Vector3 distance(const NearPairs::Pair& pair, const Vector3& shift) const {
+    return centres[pair.second] + shift - centres[pair.first];
+  }
+  /// Whether a look at the centres tells that two ellipsoids touch.
+  bool surely_touch(const NearPairs::Pair& pair, const Vector3& shift) const {
+    const Vector3 d = distance(pair, shift);
+    const double reach = inner_radii[pair.first] + inner_radii[pair.second];
+    return dot(d, d) < reach * reach;
+  }
+  bool are_smooth(const NearPairs::Pair& pair) const {
+    return is_smooth[pair.first] && is_smooth[pair.second];
+  }
+  void add_to(FirstLookBatch& looks, const NearPairs::Pair& pair, const Vector3& shift) const {
+    looks.add(smooth[pair.first], smooth[pair.second], distance(pair, shift));
+  }
+};
 
 SearchBodies search_bodies(const ParticleSet& set, double gap) {
   constexpr double well_inside = 1.0 - 1.0e-6; // far above rounding
@@ -90,21 +95,29 @@ bool any_sphere(const ParticleSet& set, const Particle& p, const Visitor& visit)
   return std::any_of(first, first + static_cast<std::ptrdiff_t>(p.sphere_count), visit);
 }
 
+Sphere moved(const Sphere& sphere, const Vector3& shift) {
+  return {sphere.centre + shift, sphere.radius};
+}
+
 /// Whether two particles touch, as find_contacts() would have it.
-bool particles_touch(const ParticleSet& set, const SearchBodies& bodies, double gap, std::size_t i,
-                     std::size_t j) {
+/// @param[in] shift of the second one
+bool particles_touch(const ParticleSet& set, const SearchBodies& bodies, double gap,
+                     const NearPairs::Pair& pair, const Vector3& shift) {
+  const auto [i, j] = pair;
   const Particle &p = set.particles[i], &q = set.particles[j];
   if (p.is_smooth() && q.is_smooth())
-    return ellipsoids_touch(bodies.smooth[i], bodies.smooth[j], q.centre - p.centre);
+    return ellipsoids_touch(bodies.smooth[i], bodies.smooth[j], bodies.distance(pair, shift));
   if (p.is_smooth() || q.is_smooth()) {
     const std::size_t smooth = p.is_smooth() ? i : j;
+    const Vector3 of_spheres = p.is_smooth() ? shift : -shift;
     return any_sphere(set, p.is_smooth() ? q : p, [&](const Sphere& s) {
       return ellipsoids_touch(bodies.smooth[smooth], enlarged_ball(s, gap),
-                              s.centre - bodies.centres[smooth]);
+                              s.centre + of_spheres - bodies.centres[smooth]);
     });
   }
   return any_sphere(set, p, [&](const Sphere& s) {
-    return any_sphere(set, q, [&](const Sphere& t) { return spheres_touch(s, t, gap); });
+    return any_sphere(set, q,
+                      [&](const Sphere& t) { return spheres_touch(s, moved(t, shift), gap); });
   });
 }
 
@@ -116,10 +129,11 @@ class PairFinder {
              ContactNetwork& network)
       : m_set(set), m_bodies(bodies), m_gap(gap), m_network(network) {}
 
-  void find(const NearPairs::Pair& pair) {
+  /// @param[in] shift of the second particle
+  void find(const NearPairs::Pair& pair, const Vector3& shift) {
     if (m_bodies.are_smooth(pair)) {
       m_looked_at[static_cast<std::size_t>(m_looks.size())] = pair;
-      m_bodies.add_to(m_looks, pair);
+      m_bodies.add_to(m_looks, pair, shift);
       if (m_looks.full())
         look_at_waiting();
       return;
@@ -129,11 +143,11 @@ class PairFinder {
     const Particle &p = m_set.particles[i], &q = m_set.particles[j];
     const std::size_t first = m_network.contacts.size();
     if (p.is_smooth())
-      ellipsoid_and_spheres(i, q, 1.0);
+      ellipsoid_and_spheres(i, {}, q, shift, 1.0);
     else if (q.is_smooth())
-      ellipsoid_and_spheres(j, p, -1.0);
+      ellipsoid_and_spheres(j, shift, p, {}, -1.0);
     else
-      spheres(p, q);
+      spheres(p, q, shift);
     add_pair(i, j, first);
   }
 
@@ -164,7 +178,7 @@ class PairFinder {
       if (m_looks.are_apart(k))
         continue;
       const auto [i, j] = m_looked_at[static_cast<std::size_t>(k)];
-      m_waiting[static_cast<std::size_t>(m_batch.size())] = {i, j};
+      m_waiting[static_cast<std::size_t>(m_batch.size())] = {{i, j}, m_looks.distance(k)};
       m_batch.add(m_bodies.smooth[i], m_bodies.smooth[j], m_looks.distance(k), m_looks.normal(k));
       if (m_batch.full())
         search_touching();
@@ -175,15 +189,15 @@ class PairFinder {
   void search_touching() {
     m_batch.solve();
     for (int k = 0; k < m_batch.size(); ++k) {
-      const auto [i, j] = m_waiting[static_cast<std::size_t>(k)];
+      const auto& [pair, distance] = m_waiting[static_cast<std::size_t>(k)];
+      const auto [i, j] = pair;
       const std::size_t first = m_network.contacts.size();
       const ContactGeometry found = m_batch.geometry(k);
       const EllipsoidShape &shape_i = m_bodies.smooth[i], &shape_j = m_bodies.smooth[j];
       if (is_settled(found, shape_i, shape_j))
         add_contact(found, m_bodies.centres[i], 1.0);
       else
-        add_contact(find_contact(shape_i, shape_j, m_bodies.centres[j] - m_bodies.centres[i]),
-                    m_bodies.centres[i], 1.0);
+        add_contact(find_contact(shape_i, shape_j, distance), m_bodies.centres[i], 1.0);
       add_pair(i, j, first);
     }
     m_batch.clear();
@@ -202,22 +216,25 @@ class PairFinder {
     contact.overlap = found.overlap - m_gap;
   }
 
+  /// @param[in] shift_smooth, shift_chain of the images
   /// @param[in] sign 1 when the ellipsoid is the pair's first particle, else -1
-  void ellipsoid_and_spheres(std::size_t smooth, const Particle& chain, double sign) {
+  void ellipsoid_and_spheres(std::size_t smooth, const Vector3& shift_smooth, const Particle& chain,
+                             const Vector3& shift_chain, double sign) {
+    const Vector3 centre = m_bodies.centres[smooth] + shift_smooth;
     for (std::size_t k = chain.first_sphere; k < chain.first_sphere + chain.sphere_count; ++k) {
       const Sphere& s = m_set.spheres[k];
-      const Vector3 distance = s.centre - m_bodies.centres[smooth];
+      const Vector3 distance = s.centre + shift_chain - centre;
       const EllipsoidShape ball = enlarged_ball(s, m_gap);
       if (!first_look(m_bodies.smooth[smooth].a_matrix, ball.a_matrix, distance, 0.5).are_apart)
-        add_contact(find_contact(m_bodies.smooth[smooth], ball, distance), m_bodies.centres[smooth],
-                    sign);
+        add_contact(find_contact(m_bodies.smooth[smooth], ball, distance), centre, sign);
     }
   }
 
-  void spheres(const Particle& p, const Particle& q) {
+  /// @param[in] shift of the second particle
+  void spheres(const Particle& p, const Particle& q, const Vector3& shift) {
     for (std::size_t k = p.first_sphere; k < p.first_sphere + p.sphere_count; ++k)
       for (std::size_t l = q.first_sphere; l < q.first_sphere + q.sphere_count; ++l)
-        sphere_pair(m_set.spheres[k], m_set.spheres[l]);
+        sphere_pair(m_set.spheres[k], moved(m_set.spheres[l], shift));
   }
 
   void sphere_pair(const Sphere& s, const Sphere& t) {
@@ -237,44 +254,112 @@ class PairFinder {
   FirstLookBatch m_looks;
   std::array<NearPairs::Pair, FirstLookBatch::capacity> m_looked_at;
   ContactBatch m_batch;
-  std::array<NearPairs::Pair, ContactBatch::capacity> m_waiting;
+  struct Waiting {
+    NearPairs::Pair pair;
+    Vector3 distance; ///< of the centres
+  };
+  std::array<Waiting, ContactBatch::capacity> m_waiting;
 };
-
-} // namespace
-
-namespace {
 
 /// Pairs in the order of one of their particles, and else as they were: counted, not compared.
 /// @param[in] count of the particles
-std::vector<NearPairs::Pair> ordered(const std::vector<NearPairs::Pair>& pairs,
-                                     std::size_t NearPairs::Pair::*member, std::size_t count) {
+template <class AnyPair>
+std::vector<AnyPair> ordered(const std::vector<AnyPair>& pairs, std::size_t AnyPair::*member,
+                             std::size_t count) {
   std::vector<std::size_t> next(count + 1, 0); // place for the next pair of each particle
-  for (const NearPairs::Pair& pair : pairs)
+  for (const AnyPair& pair : pairs)
     ++next[pair.*member + 1];
   std::partial_sum(next.begin(), next.end(), next.begin());
-  std::vector<NearPairs::Pair> result(pairs.size());
-  for (const NearPairs::Pair& pair : pairs)
+  std::vector<AnyPair> result(pairs.size());
+  for (const AnyPair& pair : pairs)
     result[next[pair.*member]++] = pair;
   return result;
+}
+
+/// A pair and the image of its second particle.
+struct ImagePair {
+  std::size_t first, second;
+  Vector3 shift;
+};
+
+/// The balls in a cell and around it: the particles' own, then their images.
+struct CellBalls {
+  std::vector<Vector3> centres; ///< of particles: in the cell
+  std::vector<double> radii;
+  std::vector<std::size_t> owners;
+  std::vector<Vector3> shifts; ///< from the owner's centre in the file
+};
+
+/// All balls whose images reach into the cell or near a ball in it.
+CellBalls balls_around(const PeriodicCell& cell, const std::vector<Vector3>& centres,
+                       const std::vector<double>& radii) {
+  CellBalls balls;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < centres.size(); ++i) {
+    balls.centres.push_back(cell.wrapped(centres[i]));
+    balls.owners.push_back(i);
+    balls.shifts.push_back(balls.centres[i] - centres[i]);
+    largest = std::max(largest, radii[i]);
+  }
+  balls.radii = radii;
+  const std::vector<Vector3> shifts = cell.shifts(2.0 * largest);
+  for (std::size_t s = 1; s < shifts.size(); ++s) // the first one is zero
+    for (std::size_t i = 0; i < centres.size(); ++i) {
+      const Vector3 image = balls.centres[i] + shifts[s];
+      if (cell.distance_beyond(image) > largest + radii[i])
+        continue;
+      balls.centres.push_back(image);
+      balls.radii.push_back(radii[i]);
+      balls.owners.push_back(i);
+      balls.shifts.push_back(balls.shifts[i] + shifts[s]);
+    }
+  return balls;
 }
 
 } // namespace
 
 NearPairs::NearPairs(const ParticleSet& set, double gap) : m_gap(gap) {
-  std::vector<Vector3> centres;
   std::vector<double> radii;
-  centres.reserve(set.particles.size());
   radii.reserve(set.particles.size());
-  for (const Particle& p : set.particles) {
-    centres.push_back(p.centre);
+  for (const Particle& p : set.particles)
     radii.push_back(bounding_radius(set, p) + 0.5 * gap);
+  if (PeriodicCell(set.box).is_periodic()) {
+    find_in_cell(set, radii);
+    return;
   }
+  std::vector<Vector3> centres;
+  centres.reserve(set.particles.size());
+  for (const Particle& p : set.particles)
+    centres.push_back(p.centre);
   CellGrid grid(centres, radii);
   std::vector<Pair> found;
   found.reserve(8 * set.particles.size());
   grid.for_pairs([&](std::size_t i, std::size_t j) { found.emplace_back(i, j); });
   const std::size_t count = set.particles.size();
   m_pairs = ordered(ordered(found, &Pair::second, count), &Pair::first, count);
+}
+
+void NearPairs::find_in_cell(const ParticleSet& set, const std::vector<double>& radii) {
+  const PeriodicCell cell(set.box);
+  std::vector<Vector3> own;
+  for (const Particle& p : set.particles)
+    own.push_back(p.centre);
+  const CellBalls balls = balls_around(cell, own, radii);
+  const std::size_t count = set.particles.size();
+  std::vector<ImagePair> found;
+  CellGrid grid(balls.centres, balls.radii);
+  grid.for_pairs([&](std::size_t i, std::size_t j) { // i < j: i is in the cell, or both are images
+    const std::size_t owner = balls.owners[j];
+    const Vector3 shift = balls.shifts[j] - (i < count ? balls.shifts[i] : Vector3{});
+    if (i < count && i < owner)
+      found.push_back({i, owner, shift});
+    m_reaches_itself = m_reaches_itself || (i < count && i == owner);
+  });
+  for (const ImagePair& pair :
+       ordered(ordered(found, &ImagePair::second, count), &ImagePair::first, count)) {
+    m_pairs.emplace_back(pair.first, pair.second);
+    m_shifts.push_back(pair.shift);
+  }
 }
 
 ContactNetwork find_contacts(const ParticleSet& set, double gap) {
@@ -286,11 +371,12 @@ ContactNetwork find_contacts(const ParticleSet& set, double gap, const NearPairs
     return find_contacts(set, gap);
   const SearchBodies bodies = search_bodies(set, gap);
   ContactNetwork network;
+  network.reaches_itself = near.reaches_itself();
   network.pairs.reserve(near.pairs().size());
   network.contacts.reserve(near.pairs().size());
   PairFinder finder(set, bodies, gap, network);
-  for (const NearPairs::Pair& pair : near.pairs())
-    finder.find(pair);
+  for (std::size_t k = 0; k < near.pairs().size(); ++k)
+    finder.find(near.pairs()[k], near.shift(k));
   finder.search_waiting();
   return network;
 }
@@ -305,19 +391,20 @@ class ClusterFinder {
       : m_set(set), m_bodies(search_bodies(set, gap)), m_gap(gap),
         m_clusters(set.particles.size()) {}
 
-  void find(const NearPairs::Pair& pair) {
+  /// @param[in] shift of the second particle
+  void find(const NearPairs::Pair& pair, const Vector3& shift) {
     if (are_joined(pair))
       return;
     if (!m_bodies.are_smooth(pair)) {
-      search(pair);
+      search(pair, shift);
       return;
     }
-    if (m_bodies.surely_touch(pair)) {
+    if (m_bodies.surely_touch(pair, shift)) {
       join(pair);
       return;
     }
-    m_waiting[static_cast<std::size_t>(m_looks.size())] = pair;
-    m_bodies.add_to(m_looks, pair);
+    m_waiting[static_cast<std::size_t>(m_looks.size())] = {pair, shift};
+    m_bodies.add_to(m_looks, pair, shift);
     if (m_looks.full())
       look_at_waiting();
   }
@@ -338,20 +425,20 @@ class ClusterFinder {
   bool are_joined(const NearPairs::Pair& pair) {
     return m_clusters.are_joined(pair.first, pair.second);
   }
-  void search(const NearPairs::Pair& pair) {
-    if (particles_touch(m_set, m_bodies, m_gap, pair.first, pair.second))
+  void search(const NearPairs::Pair& pair, const Vector3& shift) {
+    if (particles_touch(m_set, m_bodies, m_gap, pair, shift))
       join(pair);
   }
   void look_at_waiting() {
     m_looks.solve();
     for (int k = 0; k < m_looks.size(); ++k) {
-      const NearPairs::Pair& pair = m_waiting[static_cast<std::size_t>(k)];
+      const auto& [pair, shift] = m_waiting[static_cast<std::size_t>(k)];
       if (m_looks.are_apart(k))
         continue;
       if (m_looks.touch(k))
         join(pair);
       else if (!are_joined(pair))
-        search(pair);
+        search(pair, shift);
     }
     m_looks.clear();
   }
@@ -361,7 +448,11 @@ class ClusterFinder {
   double m_gap;
   DisjointSets m_clusters;
   FirstLookBatch m_looks;
-  std::array<NearPairs::Pair, FirstLookBatch::capacity> m_waiting;
+  struct Waiting {
+    NearPairs::Pair pair;
+    Vector3 shift;
+  };
+  std::array<Waiting, FirstLookBatch::capacity> m_waiting;
 };
 
 } // namespace
@@ -371,8 +462,8 @@ std::vector<std::size_t> touching_clusters(const ParticleSet& set, const NearPai
   ClusterFinder finder(set, near.gap());
   for (const PairContact& pair : touching)
     finder.join({pair.i, pair.j});
-  for (const NearPairs::Pair& pair : near.pairs())
-    finder.find(pair);
+  for (std::size_t k = 0; k < near.pairs().size(); ++k)
+    finder.find(near.pairs()[k], near.shift(k));
   return finder.clusters();
 }
 

@@ -17,7 +17,9 @@ struct Contact {
   double overlap = 0.0; ///< h >= -gap (length)
 };
 
-/// One touching pair of particles (i < j, indices of the set) with all its contacts.
+/// One touching pair of particles (i < j, indices of the set) with all its contacts. In a box that
+/// repeats a pair may come several times, by different images; a particle is no partner of its own
+/// images.
 struct PairContact {
   std::size_t i = 0, j = 0;
   std::size_t first = 0, count = 0; ///< its run in ContactNetwork::contacts
@@ -28,6 +30,7 @@ struct ContactNetwork {
   std::vector<PairContact> pairs;
   std::vector<Contact> contacts;
   std::size_t not_converged = 0; ///< contacts whose search hit its iteration limit
+  bool reaches_itself = false;   ///< the box is so short that particles come near their own images
 };
 
 /// The pairs of particles that come near each other, found once for several searches.
@@ -36,14 +39,22 @@ class NearPairs {
   using Pair = std::pair<std::size_t, std::size_t>; ///< indices of the set, the smaller one first
 
   NearPairs() = default;
-  /// Those whose bounding balls, enlarged by gap / 2 each, overlap, in ascending order.
+  /// Those whose bounding balls, enlarged by gap / 2 each, overlap, in ascending order; with all
+  /// images in a box that repeats.
   NearPairs(const ParticleSet& set, double gap);
   double gap() const { return m_gap; }
   const std::vector<Pair>& pairs() const { return m_pairs; }
+  /// From the second particle of a pair to its image that is near the first one (length).
+  Vector3 shift(std::size_t pair) const { return m_shifts.empty() ? Vector3{} : m_shifts[pair]; }
+  bool reaches_itself() const { return m_reaches_itself; }
 
  private:
+  void find_in_cell(const ParticleSet& set, const std::vector<double>& radii);
+
   double m_gap = 0.0; ///< (length)
   std::vector<Pair> m_pairs;
+  std::vector<Vector3> m_shifts; ///< by pair; empty: none is shifted
+  bool m_reaches_itself = false;
 };
 
 /// All contacts between particles. Two bodies touch when the kernel's overlap is h >= 0; with a
@@ -64,6 +75,9 @@ std::vector<std::size_t> touching_clusters(const ParticleSet& set, const NearPai
 struct PlaneWall {
   Vector3 point, inward; ///< inward: unit
 };
+
+/// Radius of the ball about a particle's centre that holds it (length).
+double bounding_radius(const ParticleSet& set, const Particle& p);
 
 /// Contacts of one particle with a wall: overlaps (length) of the bodies that touch it, after
 /// the same enlargement by gap.

@@ -11,14 +11,29 @@ namespace {
 /// More columns than this would fill the memory.
 constexpr double most_columns = 1.0e8;
 
+// x to y, y to z, z to x: a turn by 120 degrees about (1, 1, 1)
+Vector3 turned(const Vector3& v) { return {v.z, v.x, v.y}; }
+
+Box turned_box(const Box& box) {
+  Box result = box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t from = (k + 2) % 3;
+    result.lower[k] = box.lower[from];
+    result.upper[k] = box.upper[from];
+    if (box.tilted_edges.size() == 3)
+      result.tilted_edges[k] = turned(box.tilted_edges[from]);
+  }
+  if (box.boundary.size() >= 8) // "pp pp ff"
+    result.boundary = box.boundary.substr(6, 2) + " " + box.boundary.substr(0, 5);
+  return result;
+}
+
 } // namespace
 
 ParticleSet turned_upright(const ParticleSet& set, UpAxis up) {
   ParticleSet result = set;
   if (up == UpAxis::z)
     return result;
-  // x to y, y to z, z to x: a turn by 120 degrees about (1, 1, 1)
-  const auto turned = [](const Vector3& v) { return Vector3{v.z, v.x, v.y}; };
   const Quaternion turn{0.5, 0.5, 0.5, 0.5};
   for (Particle& p : result.particles) {
     p.centre = turned(p.centre);
@@ -28,6 +43,7 @@ ParticleSet turned_upright(const ParticleSet& set, UpAxis up) {
   }
   for (Sphere& s : result.spheres)
     s.centre = turned(s.centre);
+  result.box = turned_box(set.box);
   return result;
 }
 
@@ -70,6 +86,13 @@ HeightMap::HeightMap(const ParticleSet& set, const std::vector<std::size_t>& mem
     m_front = std::min(m_front, p.centre.y - reach);
     back = std::max(back, p.centre.y + reach);
   }
+  constexpr double rounding = 1.0e-15;
+  for (const double edge : {m_left, right, m_front, back})
+    if (!(std::abs(edge) * rounding < width))
+      throw InputError(
+          fmt::format("a particle lies at {:.3g}, so far away that its own size ({:.3g}) "
+                      "is lost in rounding: leave it out",
+                      edge, mean_smallest_axis(set, members)));
   const double nx = std::ceil((right - m_left) / width), ny = std::ceil((back - m_front) / width);
   if (!(nx * ny <= most_columns))
     throw InputError(fmt::format("the free surface would need {:.0f} columns (at most {:.0f}): "

@@ -110,6 +110,11 @@ struct SeenOutline {
   Direction at(const Direction& t) const {
     return {d_x + t.cosine * p_x, d_y + t.cosine * p_y + t.sine * q_y};
   }
+  /// Whether j's centre lies in i: where the outlines do not meet, whether j does.
+  bool holds_centre() const {
+    const double along_p = d_x * q_y, along_q = d_y * p_x - p_y * d_x, product = p_x * q_y;
+    return along_p * along_p + along_q * along_q <= product * product;
+  }
   Level level() const {
     const double pp = p_x * p_x + p_y * p_y, qq = q_y * q_y;
     return {d_x * d_x + d_y * d_y + 0.5 * (pp + qq) - 1.0, 2.0 * (d_x * p_x + d_y * p_y),
@@ -182,7 +187,7 @@ inline void look_at_pair(Columns& columns, int k) {
   const Direction m = minimum_of(f, bound);
   const auto lowest = f.at(m);
   const bool is_apart = (lowest.value > std::abs(lowest.slope) + level_margin * size) &
-                        (f.proof(m, 1.0) > proof_margin * size);
+                        (f.proof(m, 1.0) > proof_margin * size) & !seen.holds_centre();
   const FoundLens lens = lens_about(f, m, size, bound);
   put(C::is_apart, is_apart ? 1.0 : 0.0);
   put(C::is_lens, lens.is_proved ? 1.0 : 0.0);

@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "periodic_cell.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ellipsoid::post {
@@ -25,6 +26,8 @@ PeriodicCell::PeriodicCell(const Box& box)
               Vector3{0.0, box.upper[1] - box.lower[1], 0.0},
               Vector3{0.0, 0.0, box.upper[2] - box.lower[2]}},
       m_is_periodic{repeats_along(box, 0), repeats_along(box, 1), repeats_along(box, 2)} {
+  if (box.tilted_edges.size() == 3)
+    std::copy(box.tilted_edges.begin(), box.tilted_edges.end(), m_edges.begin());
   prepare();
 }
 
@@ -60,6 +63,16 @@ double PeriodicCell::thickness(std::size_t k) const { return 1.0 / norm(m_recipr
 Vector3 PeriodicCell::fractions(const Vector3& point) const {
   const Vector3 d = point - m_corner;
   return {dot(m_reciprocal[0], d), dot(m_reciprocal[1], d), dot(m_reciprocal[2], d)};
+}
+
+double PeriodicCell::distance_beyond(const Vector3& point) const {
+  const Vector3 f = fractions(point);
+  const std::array<double, 3> shares{f.x, f.y, f.z};
+  double farthest = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (m_is_periodic[k])
+      farthest = std::max({farthest, -shares[k] * thickness(k), (shares[k] - 1.0) * thickness(k)});
+  return farthest;
 }
 
 Vector3 PeriodicCell::wrapped(const Vector3& point) const {

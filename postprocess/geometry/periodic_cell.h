@@ -38,6 +38,9 @@ class PeriodicCell {
   /// The shortest of all images of a distance.
   Vector3 nearest(const Vector3& distance) const;
 
+  /// How far a point lies beyond the farthest of the planes that repeat (length); 0 inside.
+  double distance_beyond(const Vector3& point) const;
+
   /// Shifts from the cell to its images whose planes are not farther than `reach` from the cell's
   /// (length); the first one is zero.
   std::vector<Vector3> shifts(double reach) const;

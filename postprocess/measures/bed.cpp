@@ -1,6 +1,9 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "bed.h"
 
+#include "contacts.h"
+#include "images.h"
+#include "porosity_value.h"
 #include "union_area.h"
 
 #include <algorithm>
@@ -67,17 +70,18 @@ double volume_below(const HeightMap& surface, const BedRegion& region) {
 }
 
 /// Areas of the union in planes in the middles of equal layers.
-/// (Spheres of minimax chains stand out of their ellipsoid a little: 1.2 is on the safe side.)
 std::vector<double> section_areas(const ParticleSet& set, const std::vector<std::size_t>& members,
                                   const ConvexPolygon* section, double z0, double z1, int planes) {
-  std::vector<double> areas;
+  std::vector<double> areas, reaches;
+  for (const std::size_t i : members)
+    reaches.push_back(bounding_radius(set, set.particles[i]));
   std::vector<std::size_t> near;
   for (int k = 0; k < planes; ++k) {
     const double z = z0 + (k + 0.5) * (z1 - z0) / planes;
     near.clear();
-    for (const std::size_t i : members)
-      if (std::abs(set.particles[i].centre.z - z) <= 1.2 * set.particles[i].largest_axis())
-        near.push_back(i);
+    for (std::size_t m = 0; m < members.size(); ++m)
+      if (std::abs(set.particles[members[m]].centre.z - z) <= reaches[m])
+        near.push_back(members[m]);
     const auto shapes = outlines(set, near, z, OutlineKind::true_shape);
     areas.push_back(
         union_in_region(shapes, section ? *section : surrounding_rectangle(shapes)).area);
@@ -117,7 +121,7 @@ BedPorosity bed_porosity(const ParticleSet& upright, const BedRegion& region, in
   if (!(result.total_volume > 0.0))
     return result; // wholly above the free surface
   result.solid_volume = sum_of(areas) * (region.z1 - region.z0) / used;
-  result.porosity = 1.0 - result.solid_volume / result.total_volume;
+  result.porosity = porosity_of(result.solid_volume, result.total_volume);
   result.error = coarser_difference(areas) * result.solid_volume / result.total_volume;
   return result;
 }
@@ -146,25 +150,36 @@ std::vector<BedSlice> radial_profile(const ParticleSet& upright, const BedRegion
     const BedPorosity p = bed_porosity(upright, disc, planes, surface);
     if (p.total_volume > inner_total)
       profile.push_back({k * region.radius / slices, disc.radius,
-                         1.0 - (p.solid_volume - inner_solid) / (p.total_volume - inner_total)});
+                         porosity_of(p.solid_volume - inner_solid, p.total_volume - inner_total)});
     inner_total = p.total_volume;
     inner_solid = p.solid_volume;
   }
   return profile;
 }
 
-double solid_volume(const ParticleSet& upright, const std::vector<std::size_t>& members,
-                    int planes) {
-  if (members.empty())
-    return 0.0;
-  double low = 1e300, high = -1e300;
+double solid_volume(const ParticleSet& upright, const std::vector<std::size_t>& members, int planes,
+                    double floor) {
+  double low = 1e300, high = floor;
   for (const std::size_t i : members) {
     const Particle& p = upright.particles[i];
-    low = std::min(low, p.centre.z - p.largest_axis());
-    high = std::max(high, p.centre.z + p.largest_axis());
+    const double reach = bounding_radius(upright, p);
+    low = std::min(low, p.centre.z - reach);
+    high = std::max(high, p.centre.z + reach);
   }
+  low = std::max(low, floor);
+  if (!(high > low))
+    return 0.0;
   const auto areas = section_areas(upright, members, nullptr, low, high, planes);
   return sum_of(areas) * (high - low) / planes;
+}
+
+ParticleSet particles_in(const ParticleSet& upright, const BedRegion& region) {
+  const bool is_box = region.shape == BedShape::box;
+  const double r = region.radius;
+  return with_images(
+      upright,
+      {is_box ? region.x0 : region.axis_x - r, is_box ? region.y0 : region.axis_y - r, region.z0},
+      {is_box ? region.x1 : region.axis_x + r, is_box ? region.y1 : region.axis_y + r, region.z1});
 }
 
 } // namespace ellipsoid::post

@@ -51,8 +51,13 @@ std::vector<BedSlice> height_profile(const ParticleSet& upright, const BedRegion
 std::vector<BedSlice> radial_profile(const ParticleSet& upright, const BedRegion& region,
                                      int slices, int planes, const BedSurface& surface = {});
 
-/// Volume of the union of all particles, by the same rule over their whole height (length^3).
-double solid_volume(const ParticleSet& upright, const std::vector<std::size_t>& members,
-                    int planes);
+/// The particles, and in a box that repeats their images, that reach into a region: to be handed to
+/// the functions above and to the free surface.
+ParticleSet particles_in(const ParticleSet& upright, const BedRegion& region);
+
+/// Volume of the union of all particles above a floor, by the same rule over their whole height
+/// (length^3).
+double solid_volume(const ParticleSet& upright, const std::vector<std::size_t>& members, int planes,
+                    double floor);
 
 } // namespace ellipsoid::post

@@ -1,6 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "contact_forces.h"
 
+#include "periodic_cell.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -120,10 +122,13 @@ std::vector<ForceLink> force_links(const Frame& list, const ContactColumns& colu
   for (std::size_t row = 0; row < list.rows; ++row)
     force_of_pair[pairs[row]] += forces[row];
   std::vector<ForceLink> links;
-  for (const auto& [pair, force] : force_of_pair)
+  const PeriodicCell cell(set.box);
+  for (const auto& [pair, force] : force_of_pair) {
+    const Vector3 begin = set.particles[pair.first].centre;
     if (force > 0.0)
-      links.push_back({set.particles[pair.first].centre, set.particles[pair.second].centre, force,
-                       pair.first, pair.second});
+      links.push_back({begin, begin + cell.nearest(set.particles[pair.second].centre - begin),
+                       force, pair.first, pair.second});
+  }
   return links;
 }
 

@@ -40,8 +40,8 @@ ContactNetwork listed_contacts(const Frame& list, const ContactColumns& columns,
 
 /// A link of a force chain: two touching particles and the force between them.
 struct ForceLink {
-  Vector3 begin, end;       ///< the particles' centres (length)
-  double force = 0.0;       ///< the normal part, or without normals the magnitude (force)
+  Vector3 begin, end; ///< the particles' centres, of the second one the nearest image (length)
+  double force = 0.0; ///< the normal part, or without normals the magnitude (force)
   std::size_t i = 0, j = 0; ///< the particles, indices of the set
 };
 

@@ -8,16 +8,19 @@
 namespace ellipsoid::post {
 
 struct EnergyOptions {
-  Vector3 gravity{0.0, -9.81, 0.0};
+  std::optional<Vector3> gravity; ///< none: not known, no potential
   std::optional<Vector3> inertia; ///< principal moments of all particles; none: solid ellipsoids
 };
 
 /// Sums over all particles, in the units of the file.
 struct Energy {
-  double translation = 0.0, rotation = 0.0, potential = 0.0;
+  double translation = 0.0;
+  std::optional<double> rotation;  ///< none: the file has no angular velocities
+  std::optional<double> potential; ///< none: gravity is not known
 };
 
-/// Throws InputError when the file has no masses or velocities.
+/// Throws InputError when the file has no masses or velocities, and for bodies of the host whose
+/// mass centre or moments cannot be known from their spheres.
 Energy energy(const ParticleSet& set, const EnergyOptions& options);
 
 } // namespace ellipsoid::post

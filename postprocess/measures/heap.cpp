@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "heap.h"
 
+#include "images.h"
 #include "repose.h"
 
 #include <algorithm>
@@ -96,6 +97,7 @@ void require_space(const ParticleSet& set) {
 HeapAngle heap_angle(const ParticleSet& upright, const HeapOptions& options) {
   if (upright.particles.empty())
     throw InputError("a heap needs at least one particle, the frame has none");
+  refuse_repeating(upright.box, 0, 1, "a heap");
   require_space(upright);
   const std::vector<std::size_t> members = largest_cluster(upright, options.cluster_gap);
   const double mean_a = mean_largest_axis(upright, members);

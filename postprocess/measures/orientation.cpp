@@ -51,7 +51,7 @@ Orientation orientation(const ParticleSet& set, const std::vector<std::size_t>& 
   std::vector<Vector3> axes;
   double cosine = 0.0, sine = 0.0;
   for (const std::size_t i : members) {
-    axes.push_back(rotation(set.particles[i].orientation).column_x);
+    axes.push_back(set.particles[i].long_axis());
     const double twice = 2.0 * std::atan2(axes.back().y, axes.back().x);
     cosine += std::cos(twice) / static_cast<double>(members.size());
     sine += std::sin(twice) / static_cast<double>(members.size());

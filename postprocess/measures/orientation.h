@@ -25,7 +25,7 @@ struct Orientation {
   std::vector<double> rose;     ///< share of particles per bin of theta from 0 to 180 deg
 };
 
-/// Order of the body x axes (the long axes of prolate particles).
+/// Order of the long axes, see Particle::long_axis().
 Orientation orientation(const ParticleSet& set, const std::vector<std::size_t>& members, int bins);
 
 /// Shares of directions per bin of their angle in the xy plane from 0 to 180 degrees.

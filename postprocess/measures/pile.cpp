@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "pile.h"
 
+#include "images.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -85,6 +86,7 @@ PileBody find_pile_body(const ParticleSet& set, const PileOptions& options, Near
                         const std::vector<PairContact>& touching) {
   if (set.particles.empty())
     throw InputError("a pile needs at least one particle, the frame has none");
+  refuse_repeating(set.box, 0, 1, "a pile in the plane");
   const double section = options.section.value_or(mean_z(set));
   PileBody pile;
   pile.near = std::move(near);

@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "porosity.h"
 
+#include "porosity_value.h"
 #include "union_area.h"
 
 #include <algorithm>
@@ -92,8 +93,9 @@ Porosity plane_porosity(const Pile& pile, const PileOptions& pile_options,
   const UnionMeasures measures = union_in_region(pile.outlines, region, pairs_of_outlines(pile));
   result.solid_area = measures.area;
   result.area_sum = measures.area_sum;
-  result.porosity = 1.0 - result.solid_area / result.total_area;
-  result.porosity_by_sum = 1.0 - result.area_sum / result.total_area;
+  result.porosity = porosity_of(result.solid_area, result.total_area);
+  if (result.area_sum <= result.total_area)
+    result.porosity_by_sum = porosity_of(result.area_sum, result.total_area);
   result.overlap_share = measures.area_sum > 0.0 ? 1.0 - measures.area / measures.area_sum : 0.0;
   return result;
 }

@@ -4,6 +4,7 @@
 #include "pile.h"
 #include "repose.h"
 
+#include <optional>
 #include <vector>
 
 namespace ellipsoid::post {
@@ -21,12 +22,13 @@ struct PorosityOptions {
 };
 
 struct Porosity {
-  double porosity = 0.0;        ///< 1 - solid / total: overlaps counted once
-  double porosity_by_sum = 0.0; ///< 1 - area_sum / total, as the paper adds section areas
-  double total_area = 0.0;      ///< of the region (length^2)
-  double solid_area = 0.0;      ///< of the union of the outlines in it (length^2)
-  double area_sum = 0.0;        ///< of the outlines one by one in it (length^2)
-  double overlap_share = 0.0;   ///< (area_sum - solid_area) / area_sum
+  double porosity = 0.0; ///< 1 - solid / total: overlaps counted once
+  /// 1 - area_sum / total, as the paper adds section areas; none where the sum exceeds the total
+  std::optional<double> porosity_by_sum;
+  double total_area = 0.0;    ///< of the region (length^2)
+  double solid_area = 0.0;    ///< of the union of the outlines in it (length^2)
+  double area_sum = 0.0;      ///< of the outlines one by one in it (length^2)
+  double overlap_share = 0.0; ///< (area_sum - solid_area) / area_sum
 };
 
 /// In-plane porosity (paper, section 4.2.2), exact for the outlines of `pile`.

@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "byte_source.h"
 
+#include "compressed_bytes.h"
 #include "input_error.h"
 
 #include <cerrno>
@@ -8,7 +9,6 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <sys/stat.h>
-#include <zlib.h>
 
 namespace ellipsoid::post {
 namespace {
@@ -37,33 +37,6 @@ class PlainFile : public ByteSource {
   std::uint64_t m_consumed = 0;
 };
 
-class GzipFile : public ByteSource {
- public:
-  GzipFile(gzFile file, std::string path) : m_file(file), m_path(std::move(path)) {
-    gzbuffer(m_file, 1u << 18);
-  }
-  ~GzipFile() override { gzclose(m_file); }
-  GzipFile(const GzipFile&) = delete;
-  GzipFile& operator=(const GzipFile&) = delete;
-
-  std::size_t read(char* buffer, std::size_t size) override {
-    const int got = gzread(m_file, buffer, static_cast<unsigned>(size));
-    int code = Z_OK;
-    std::string reason = gzerror(m_file, &code);
-    if (got < 0 || (code != Z_OK && code != Z_STREAM_END && got == 0)) {
-      if (reason.rfind(m_path + ": ", 0) == 0)
-        reason.erase(0, m_path.size() + 2);
-      throw InputError(fmt::format("gzip data that are broken or cut off ({})", reason));
-    }
-    return static_cast<std::size_t>(got);
-  }
-  std::uint64_t consumed() const override { return static_cast<std::uint64_t>(gzoffset(m_file)); }
-
- private:
-  gzFile m_file;
-  std::string m_path;
-};
-
 class MemoryBytes : public ByteSource {
  public:
   explicit MemoryBytes(std::string content) : m_content(std::move(content)) {}
@@ -79,32 +52,18 @@ class MemoryBytes : public ByteSource {
   std::size_t m_place = 0;
 };
 
-bool starts_like_gzip(std::FILE* file) {
-  unsigned char magic[2] = {0, 0};
-  const std::size_t got = std::fread(magic, 1, 2, file);
-  std::rewind(file);
-  return got == 2 && magic[0] == 0x1f && magic[1] == 0x8b;
-}
-
 } // namespace
 
 std::unique_ptr<ByteSource> open_bytes(const std::string& path) {
   if (path == "-")
-    return std::make_unique<PlainFile>(stdin);
+    return decompressed(std::make_unique<PlainFile>(stdin));
   struct stat status {};
   if (stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode))
     throw InputError(fmt::format("{}: is a directory; give the dump files in it", path));
   std::FILE* file = std::fopen(path.c_str(), "rb");
   if (!file)
     throw InputError(fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
-  // a pipe cannot be rewound: it is taken as plain text
-  if (!S_ISREG(status.st_mode) || !starts_like_gzip(file))
-    return std::make_unique<PlainFile>(file);
-  std::fclose(file);
-  gzFile compressed = gzopen(path.c_str(), "rb");
-  if (!compressed)
-    throw InputError(fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
-  return std::make_unique<GzipFile>(compressed, path);
+  return decompressed(std::make_unique<PlainFile>(file));
 }
 
 std::unique_ptr<ByteSource> memory_bytes(std::string content) {

@@ -1,6 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Bytes and lines of plain or gzip files, in constant memory.
+// Bytes and lines of plain or compressed files, in constant memory.
 #pragma once
 
 #include "input_error.h"
@@ -25,7 +25,7 @@ class ByteSource {
   virtual std::uint64_t consumed() const = 0;
 };
 
-/// Opens a plain or gzip file (told apart by its first bytes); "-" is standard input.
+/// Opens a file or a pipe, plain or compressed (see decompressed()); "-" is standard input.
 std::unique_ptr<ByteSource> open_bytes(const std::string& path);
 
 /// Bytes that are in memory already (tests, fuzzing).

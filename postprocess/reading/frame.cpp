@@ -9,7 +9,12 @@ namespace ellipsoid::post {
 
 int Frame::find(const std::string& name) const {
   const auto it = std::find(names.begin(), names.end(), name);
-  return it == names.end() ? -1 : static_cast<int>(it - names.begin());
+  if (it == names.end())
+    return -1;
+  const std::ptrdiff_t k = it - names.begin();
+  if (!is_readable(static_cast<std::size_t>(k)))
+    throw InputError(unreadable[static_cast<std::size_t>(k)]);
+  return static_cast<int>(k);
 }
 
 int Frame::find_any(const std::vector<std::string>& candidates) const {

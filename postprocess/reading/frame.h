@@ -4,6 +4,7 @@
 #pragma once
 
 #include "input_error.h"
+#include "math/vector3.h"
 
 #include <cstdint>
 #include <optional>
@@ -12,11 +13,12 @@
 
 namespace ellipsoid::post {
 
-/// Bounds of the simulation box (length).
+/// The simulation box (length). It begins at `lower`; `upper` is the opposite corner.
 struct Box {
   double lower[3] = {0.0, 0.0, 0.0};
   double upper[3] = {0.0, 0.0, 0.0};
-  std::string boundary; ///< as in the file, for example "pp pp ff"
+  std::string boundary;              ///< as in the file, for example "pp pp ff"
+  std::vector<Vector3> tilted_edges; ///< the three edges of a tilted box; empty: along x, y, z
 };
 
 struct Frame {
@@ -28,11 +30,18 @@ struct Frame {
   Box box;
   std::size_t rows = 0;
   std::vector<std::string> names;           ///< of the columns
-  std::vector<std::vector<double>> columns; ///< columns[k][row]; empty for a text column
+  std::vector<std::vector<double>> columns; ///< columns[k][row]
+  /// By column: the first value that is no finite number, as a message. Such a column can be looked
+  /// at by nobody, see find().
+  std::vector<std::string> unreadable;
   std::string unread; ///< lines of the rows while they are not in the columns yet, see read_rows()
 
-  /// Index of a column, or -1.
+  /// Index of a column, or -1. Throws InputError for one that holds something else than numbers.
   int find(const std::string& name) const;
+  /// Whether all values of a column are numbers.
+  bool is_readable(std::size_t column) const {
+    return column >= unreadable.size() || unreadable[column].empty();
+  }
   /// The first of several names that is there, or -1.
   int find_any(const std::vector<std::string>& candidates) const;
   /// The values of a column that must be there; `purpose` completes the error message.

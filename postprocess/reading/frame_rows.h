@@ -12,9 +12,9 @@ namespace ellipsoid::post {
 
 /// Reads rows one after the other into the columns of a frame whose header is known.
 ///
-/// Strict: a row has as many values as the header has columns, every value is a finite number
-/// (columns of words excepted). Anything else throws InputError that names file, line, frame and
-/// what was expected.
+/// Strict: a row has as many values as the header has columns. Anything else throws InputError that
+/// names file, line, frame and what was expected. A value that is no finite number makes its column
+/// unreadable, see Frame.
 class RowReader {
  public:
   /// @param[in,out] frame place (of its first row), rows and names are set; outlives the reader
@@ -30,12 +30,13 @@ class RowReader {
  private:
   void set_memory_aside();
   bool take(std::string_view line);
+  void set_unreadable(std::size_t column, std::string_view token);
   FilePlace here() const;
   InputError refused(std::string_view line) const;
 
   Frame& m_frame;
   std::size_t m_row = 0, m_held = 0;
-  std::vector<double*> m_values; ///< of each column; null for words
+  std::vector<double*> m_values; ///< of each column
 };
 
 /// Reads the rows that a frame still holds as text, if any. Throws InputError.

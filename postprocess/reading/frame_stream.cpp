@@ -96,9 +96,13 @@ NumberedName numbered(const std::string& path) {
 
 /// Whether the number in a file's name is the time step of its first frame (VTK files do not
 /// tell: yes). A file that cannot be read is reported when its frames are.
+/// What is no file (a pipe) is not looked into: it can be read once only.
 bool names_its_step(const std::string& path, const std::string& number) {
   if (is_vtk_name(path))
     return true;
+  struct stat status {};
+  if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
+    return false;
   try {
     std::string_view line;
     LineReader lines(open_bytes(path), path);
@@ -109,6 +113,16 @@ bool names_its_step(const std::string& path, const std::string& number) {
   } catch (const InputError&) {
     return false;
   }
+}
+
+/// What several files of one run are called together: their pattern, or the first and the last.
+std::string common_name(const Run& run) {
+  const bool is_pattern = run.name.find_first_of("*?[") != std::string::npos;
+  const std::string pattern = numbered(run.files.front()).pattern;
+  const bool have_one =
+      std::all_of(run.files.begin(), run.files.end(),
+                  [&](const std::string& file) { return numbered(file).pattern == pattern; });
+  return is_pattern ? run.name : have_one ? pattern : run.files.front() + " to " + run.files.back();
 }
 
 } // namespace
@@ -140,8 +154,11 @@ std::vector<Run> runs_of(const std::vector<std::string>& arguments, RunGrouping 
       }
     }
   }
-  for (Run& run : runs)
+  for (Run& run : runs) {
     std::sort(run.files.begin(), run.files.end(), natural_less);
+    if (run.files.size() > 1)
+      run.name = common_name(run);
+  }
   return runs;
 }
 
@@ -165,14 +182,19 @@ bool FrameStream::next_unread(Frame& frame) {
         return false;
       }
       m_reader = open_frames(m_files[m_next_file++]);
+      m_is_empty = true;
     }
     if (m_reader->next_unread(frame)) {
       ++m_frames;
+      m_is_empty = false;
       show_progress();
       return true;
     }
     m_bytes_before += m_reader->consumed();
     m_reader.reset();
+    if (m_is_empty && m_files.size() > 1) // of a single file the caller sees it
+      throw InputError(m_files[m_next_file - 1] +
+                       ": expected at least one frame, found none: the file is empty");
   }
 }
 

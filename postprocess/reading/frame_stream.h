@@ -51,6 +51,7 @@ class FrameStream {
   std::unique_ptr<FrameReader> m_reader;
   std::uint64_t m_total_bytes = 0, m_bytes_before = 0;
   int m_shown_percent = -1;
+  bool m_is_empty = false; ///< no frame of the present file was seen yet
 };
 
 } // namespace ellipsoid::post

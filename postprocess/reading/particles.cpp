@@ -5,6 +5,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
@@ -18,25 +19,6 @@ constexpr double smallest_size = 1.0e-30, largest_length = 1.0e30;
 
 /// Longest semi-axis over shortest: sections of a body lose two digits for every factor of ten.
 constexpr double largest_aspect_ratio = 1.0e4;
-
-using Column = const std::vector<double>*;
-
-/// The columns of one vector or tensor; null pointers where they are missing.
-struct VectorColumns {
-  Column x = nullptr, y = nullptr, z = nullptr;
-  explicit operator bool() const { return x && y && z; }
-  Vector3 at(std::size_t row) const { return {(*x)[row], (*y)[row], (*z)[row]}; }
-};
-
-Column column(const Frame& frame, const std::vector<std::string>& names) {
-  const int k = frame.find_any(names);
-  return k < 0 ? nullptr : &frame.columns[static_cast<std::size_t>(k)];
-}
-
-VectorColumns vector_columns(const Frame& frame, const std::string& x, const std::string& y,
-                             const std::string& z) {
-  return {column(frame, {x}), column(frame, {y}), column(frame, {z})};
-}
 
 struct QuaternionColumns {
   Column w = nullptr, x = nullptr, y = nullptr, z = nullptr;
@@ -69,23 +51,27 @@ std::int64_t whole_number(const Frame& frame, std::size_t row, const char* what,
 /// Positions in the box: plain, unwrapped or scaled coordinates.
 class Positions {
  public:
-  explicit Positions(const Frame& frame) : m_box(frame.box) {
+  explicit Positions(const NamedColumns& columns) : m_box(columns.frame().box) {
     for (const char* suffix : {"", "u"})
       if (!m_plain)
-        m_plain = vector_columns(frame, std::string("x") + suffix, std::string("y") + suffix,
-                                 std::string("z") + suffix);
+        m_plain = columns.find(std::string("x") + suffix, std::string("y") + suffix,
+                               std::string("z") + suffix);
     for (const char* suffix : {"s", "su"})
       if (!m_scaled)
-        m_scaled = vector_columns(frame, std::string("x") + suffix, std::string("y") + suffix,
-                                  std::string("z") + suffix);
+        m_scaled = columns.find(std::string("x") + suffix, std::string("y") + suffix,
+                                std::string("z") + suffix);
     if (!m_plain && !m_scaled)
-      require_all(frame, {"x", "y", "z"}, "the position of the particles");
+      require_all(columns.frame(), {"x", "y", "z"}, "the position of the particles");
   }
   Vector3 at(std::size_t row) const {
     if (m_plain)
       return m_plain.at(row);
     const Vector3 s = m_scaled.at(row);
-    return {unscaled(0, s.x), unscaled(1, s.y), unscaled(2, s.z)};
+    const auto& edges = m_box.tilted_edges;
+    if (edges.empty())
+      return {unscaled(0, s.x), unscaled(1, s.y), unscaled(2, s.z)};
+    return Vector3{m_box.lower[0], m_box.lower[1], m_box.lower[2]} + s.x * edges[0] +
+           s.y * edges[1] + s.z * edges[2];
   }
 
  private:
@@ -93,20 +79,44 @@ class Positions {
     return m_box.lower[k] + s * (m_box.upper[k] - m_box.lower[k]);
   }
   VectorColumns m_plain, m_scaled;
-  Box m_box;
+  const Box& m_box;
 };
 
 /// Semi-axes: from the options, from shape columns or from a radius.
 class Sizes {
  public:
-  Sizes(const Frame& frame, const ParticleOptions& options)
-      : m_frame(frame), m_scale(options.sphere_size_scale), m_given(options.semiaxes),
-        m_shape(vector_columns(frame, "shapex", "shapey", "shapez")),
-        m_radius(column(frame, {"radius"})), m_diameter(column(frame, {"diameter"})) {
+  Sizes(const NamedColumns& columns, const ParticleOptions& options)
+      : m_frame(columns.frame()), m_given(options.semiaxes),
+        m_shape(columns.find("shapex", "shapey", "shapez")) {
+    const VectorColumns computed = columns.find("c_shape[1]", "c_shape[2]", "c_shape[3]");
+    const bool is_named = columns.is_assigned("shapex");
+    m_are_whole_axes = !is_named && (m_shape ? columns.find("quatw") && !columns.find("quat1")
+                                             : static_cast<bool>(computed));
+    m_is_scale_given = options.size_scale.has_value();
+    m_scale = options.size_scale.value_or(m_are_whole_axes ? 0.5 : 1.0);
+    if (!m_shape)
+      m_shape = computed;
+    if (!m_shape) {
+      m_radius = columns.find("radius");
+      m_diameter = columns.find("diameter");
+    }
+    if (!m_given.empty() && (m_shape || m_radius || m_diameter))
+      throw InputError(
+          "--semiaxes is for files without sizes: this one has columns with them; leave "
+          "it out");
     if (m_given.empty() && !m_shape && !m_radius && !m_diameter)
       require_all(
-          frame, {"shapex", "shapey", "shapez"},
+          m_frame, {"shapex", "shapey", "shapez"},
           "the semi-axes of the particles; or a column \"radius\", or give --semiaxes a b c");
+  }
+  bool has_shapes() const { return static_cast<bool>(m_shape); }
+  /// What was taken for granted, or nothing.
+  std::string remark() const {
+    return m_are_whole_axes && !m_is_scale_given
+               ? "sizes beside LAMMPS's names of the orientation are taken as whole axes and "
+                 "halved; "
+                 "--size-scale 1 takes them as semi-axes, --size-scale 0.5 as whole ones"
+               : "";
   }
   Vector3 at(std::size_t row) const {
     const Vector3 s = m_scale * raw(row);
@@ -132,18 +142,28 @@ class Sizes {
     return {radius, radius, radius};
   }
   const Frame& m_frame;
-  double m_scale;
+  double m_scale = 1.0;
+  bool m_are_whole_axes = false, m_is_scale_given = false;
   std::vector<double> m_given;
   VectorColumns m_shape;
-  Column m_radius, m_diameter;
+  Column m_radius = nullptr, m_diameter = nullptr;
 };
 
 class Orientations {
  public:
-  explicit Orientations(const Frame& frame) : m_frame(frame) {
-    m_q = {column(frame, {"quat1", "quatw", "c_q[1]"}), column(frame, {"quat2", "quati", "c_q[2]"}),
-           column(frame, {"quat3", "quatj", "c_q[3]"}),
-           column(frame, {"quat4", "quatk", "c_q[4]"})};
+  explicit Orientations(const NamedColumns& columns) : m_frame(columns.frame()) {
+    const std::array<std::array<const char*, 4>, 3> names = {
+        {{"quat1", "quat2", "quat3", "quat4"},
+         {"quatw", "quati", "quatj", "quatk"},
+         {"c_orient[4]", "c_orient[1]", "c_orient[2]", "c_orient[3]"}}};
+    for (const auto& [w, x, y, z] : names)
+      if (!m_q)
+        m_q = {columns.find(w), columns.find(x), columns.find(y), columns.find(z)};
+    if (!m_q && columns.find("c_q[1]") && columns.find("c_q[4]"))
+      throw InputError(
+          "the order of the quaternion in the columns c_q[*] is not known: say it, for "
+          "example --column quat1=c_q[1] --column quat2=c_q[2] --column quat3=c_q[3] "
+          "--column quat4=c_q[4] (quat1: scalar part)");
   }
   Quaternion at(std::size_t row, const Vector3& semiaxes) const {
     const bool is_sphere = semiaxes.x == semiaxes.y && semiaxes.y == semiaxes.z;
@@ -171,7 +191,7 @@ class Orientations {
 int subspheres_at(const Frame& frame, Column subspheres, std::size_t row,
                   const ParticleOptions& options) {
   if (!subspheres)
-    return options.subspheres;
+    return options.subspheres.value_or(0);
   const double n = (*subspheres)[row];
   if (n < 0.0 || n != std::floor(n) || n > largest_sphere_count)
     throw bad_value(frame, row,
@@ -183,7 +203,7 @@ int subspheres_at(const Frame& frame, Column subspheres, std::size_t row,
 SphereSpacing spacing_at(const Frame& frame, Column spacing, std::size_t row,
                          const ParticleOptions& options) {
   if (!spacing)
-    return options.spacing;
+    return options.spacing.value_or(SphereSpacing::paper);
   const double code = (*spacing)[row];
   for (const auto known :
        {SphereSpacing::paper, SphereSpacing::minimax_outline, SphereSpacing::minimax_area})
@@ -205,13 +225,11 @@ void add_chain(ParticleSet& set, Particle& particle, const MultisphereTemplate& 
 /// Everything of a row but its shape.
 class CommonColumns {
  public:
-  explicit CommonColumns(const Frame& frame)
-      : m_frame(frame), m_position(frame), m_id(column(frame, {"id"})),
-        m_type(column(frame, {"type"})), m_mass(column(frame, {"mass"})),
-        m_velocity(vector_columns(frame, "vx", "vy", "vz")),
-        m_spin(vector_columns(frame, "omegax", "omegay", "omegaz")) {}
-
-  bool has_velocities() const { return static_cast<bool>(m_velocity); }
+  explicit CommonColumns(const NamedColumns& columns)
+      : m_frame(columns.frame()), m_position(columns), m_id(columns.find("id")),
+        m_type(columns.find("type")), m_mass(columns.find("mass")),
+        m_velocity(columns.find("vx", "vy", "vz")),
+        m_spin(columns.find("omegax", "omegay", "omegaz")) {}
 
   Particle at(std::size_t row) const {
     Particle p;
@@ -239,13 +257,21 @@ class CommonColumns {
   VectorColumns m_velocity, m_spin;
 };
 
-std::vector<std::size_t> rows_by_id(const Frame& frame) {
+/// Rows in the order of their ids. Throws InputError where one comes twice.
+std::vector<std::size_t> rows_by_id(const NamedColumns& columns) {
+  const Frame& frame = columns.frame();
   std::vector<std::size_t> order(frame.rows);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const Column id = column(frame, {"id"});
-  if (id && !std::is_sorted(id->begin(), id->end()))
+  const Column id = columns.find("id");
+  if (!id)
+    return order;
+  if (!std::is_sorted(id->begin(), id->end()))
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t i, std::size_t j) { return (*id)[i] < (*id)[j]; });
+  for (std::size_t k = 1; k < order.size(); ++k)
+    if ((*id)[order[k]] == (*id)[order[k - 1]])
+      throw bad_value(frame, order[k], "ids that come once",
+                      fmt::format("id {} a second time", (*id)[order[k]]));
   return order;
 }
 
@@ -290,35 +316,152 @@ void enclose(Particle& body, const std::vector<Sphere>& spheres) {
   body.semiaxes = {length, width, width};
 }
 
-ParticleSet host_multispheres(const Frame& frame, const std::vector<double>& body_of_row,
-                              const ParticleOptions& options) {
-  const Sizes sizes(frame, options);
-  const CommonColumns common(frame);
+/// Whether a body's spheres come in pairs about its centre: that is then the mass centre.
+bool is_symmetric(const Sphere* begin, const Sphere* end, const Vector3& centre) {
+  constexpr double same = 1e-5; // of a radius: six digits in the file
+  return std::all_of(begin, end, [&](const Sphere& s) {
+    const Vector3 twin = 2.0 * centre - s.centre;
+    return std::any_of(begin, end, [&](const Sphere& t) {
+      return norm(t.centre - twin) <= same * s.radius &&
+             std::abs(t.radius - s.radius) <= same * s.radius;
+    });
+  });
+}
+
+/// Velocity of a body's centre, from one of its spheres and the spin; the host writes the body's
+/// spin and mass to each of its spheres.
+void take_motion(Particle& body, const Particle& sphere, const NamedColumns& columns) {
+  body.velocity = sphere.velocity + cross(sphere.angular_velocity, body.centre - sphere.centre);
+  if (sphere.mass != body.mass || norm(sphere.angular_velocity - body.angular_velocity) != 0.0)
+    throw bad_value(columns.frame(), sphere.row,
+                    "the mass and the angular velocity of the whole body in each of its rows",
+                    "others than in the body's first row");
+}
+
+/// A body of the host from the rows of its spheres.
+Particle host_body(ParticleSet& set, const std::vector<std::size_t>& rows,
+                   const CommonColumns& common, const Sizes& sizes, const NamedColumns& columns) {
+  Particle body = common.at(rows.front());
+  body.first_sphere = set.spheres.size();
+  body.sphere_count = rows.size();
+  for (const std::size_t row : rows)
+    set.spheres.push_back({common.at(row).centre, sizes.at(row).x});
+  enclose(body, set.spheres);
+  if (rows.size() > 1)
+    for (const std::size_t row : rows)
+      take_motion(body, common.at(row), columns);
+  const Sphere* first = set.spheres.data() + body.first_sphere;
+  set.asymmetric_bodies += is_symmetric(first, first + body.sphere_count, body.centre) ? 0 : 1;
+  return body;
+}
+
+void add_host_bodies(ParticleSet& set, const std::vector<double>& body_of_row,
+                     const NamedColumns& columns, const ParticleOptions& options) {
+  const Sizes sizes(columns, options);
+  const CommonColumns common(columns);
   std::map<std::int64_t, std::vector<std::size_t>> rows_of_body;
   std::int64_t single = -1; // rows of no body are spheres of their own
-  for (const std::size_t row : rows_by_id(frame)) {
-    const std::int64_t body = whole_number(frame, row, "body", body_of_row[row]);
+  for (const std::size_t row : rows_by_id(columns)) {
+    const std::int64_t body = whole_number(columns.frame(), row, "body", body_of_row[row]);
     rows_of_body[body > 0 ? body : single--].push_back(row);
   }
-  ParticleSet set;
-  set.has_velocities = common.has_velocities();
   for (const auto& [body, rows] : rows_of_body) {
-    Particle p = common.at(rows.front());
+    Particle p = host_body(set, rows, common, sizes, columns);
     if (body > 0)
       p.id = body;
-    p.first_sphere = set.spheres.size();
-    p.sphere_count = rows.size();
-    for (const std::size_t row : rows)
-      set.spheres.push_back({common.at(row).centre, sizes.at(row).x});
-    enclose(p, set.spheres);
     set.particles.push_back(p);
   }
-  return set;
+}
+
+/// The column that joins rows to bodies, or null. Throws InputError where that is not sure.
+Column bodies_of(const NamedColumns& columns, const ParticleOptions& options) {
+  const auto joins = [](Column body) {
+    return body && std::any_of(body->begin(), body->end(), [](double b) { return b > 0.0; });
+  };
+  if (options.bodies == "none")
+    return nullptr;
+  if (!options.bodies.empty())
+    return &columns.frame().required(options.bodies, "--bodies");
+  const bool has_shapes = columns.find("shapex") || columns.find("c_shape[1]");
+  if (const Column host = columns.find("id_multisphere"); joins(host)) {
+    if (has_shapes)
+      throw InputError("the file has shapes and a column \"id_multisphere\" with bodies: --bodies "
+                       "id_multisphere takes its rows as spheres of bodies, --bodies none as "
+                       "particles of their own");
+    return host;
+  }
+  if (!has_shapes && joins(columns.find("mol")))
+    throw InputError("the column \"mol\" may join spheres to rigid bodies or be a mere label: say "
+                     "--bodies mol or --bodies none");
+  return nullptr;
+}
+
+/// Superquadrics other than ellipsoids cannot be measured.
+void refuse_blocks(const NamedColumns& columns) {
+  for (const char* name : {"blockiness1", "blockiness2", "blockiness[1]", "blockiness[2]"})
+    if (const Column blockiness = columns.find(name))
+      for (std::size_t row = 0; row < blockiness->size(); ++row)
+        if ((*blockiness)[row] != 2.0)
+          throw bad_value(columns.frame(), row, fmt::format("{} 2, an ellipsoid", name),
+                          fmt::format("{}", (*blockiness)[row]));
+}
+
+/// The frame's box, with what the user says of its sides.
+Box box_of(const Frame& frame, const std::string& periodic) {
+  Box box = frame.box;
+  if (periodic.empty())
+    return box;
+  box.boundary.clear();
+  for (const char axis : {'x', 'y', 'z'})
+    box.boundary += std::string(box.boundary.empty() ? "" : " ") +
+                    (periodic != "none" && periodic.find(axis) != std::string::npos ? "pp" : "ff");
+  return box;
+}
+
+/// An option for files without a column beside that column.
+void refuse_both(Column column, bool is_given, const char* option, const char* name) {
+  if (column && is_given)
+    throw InputError(fmt::format("{} is for files without the column \"{}\", which this one has: "
+                                 "leave it out",
+                                 option, name));
+}
+
+void add_ellipsoids(ParticleSet& set, const NamedColumns& columns, const ParticleOptions& options) {
+  const Frame& frame = columns.frame();
+  const Sizes sizes(columns, options);
+  const Orientations orientations(columns);
+  const CommonColumns common(columns);
+  const Column subspheres = columns.find("f_subspheres"), spacing = columns.find("f_spacing");
+  refuse_both(subspheres, options.subspheres.has_value(), "--subspheres", "f_subspheres");
+  refuse_both(spacing, options.spacing.has_value(), "--spacing", "f_spacing");
+  if (const std::string remark = sizes.remark(); !remark.empty())
+    set.remarks.push_back(remark);
+  TemplateCache templates;
+  set.particles.reserve(frame.rows);
+  for (const std::size_t row : rows_by_id(columns)) {
+    Particle p = common.at(row);
+    p.semiaxes = sizes.at(row);
+    p.orientation = orientations.at(row, p.semiaxes);
+    if (const int count = subspheres_at(frame, subspheres, row, options); count > 0) {
+      const SphereSpacing placed = spacing_at(frame, spacing, row, options);
+      try {
+        add_chain(set, p, templates.find(p.semiaxes, count, placed));
+      } catch (const std::invalid_argument& error) {
+        throw bad_value(frame, row, "a multi-sphere particle that can be built", error.what());
+      }
+    }
+    set.particles.push_back(p);
+  }
 }
 
 } // namespace
 
 double Particle::largest_axis() const { return std::max({semiaxes.x, semiaxes.y, semiaxes.z}); }
+Vector3 Particle::long_axis() const {
+  const Rotation3 r = rotation(orientation);
+  const double largest = largest_axis();
+  return semiaxes.x == largest ? r.column_x : semiaxes.y == largest ? r.column_y : r.column_z;
+}
 double Particle::smallest_axis() const { return std::min({semiaxes.x, semiaxes.y, semiaxes.z}); }
 
 double mean_smallest_axis(const ParticleSet& set, const std::vector<std::size_t>& members) {
@@ -342,33 +485,16 @@ std::vector<std::size_t> all_members(const ParticleSet& set) {
 }
 
 ParticleSet particles_of(const Frame& frame, const ParticleOptions& options) {
-  const Column body = column(frame, {"id_multisphere", "mol"});
-  if (body && std::any_of(body->begin(), body->end(), [](double b) { return b > 0.0; }))
-    return host_multispheres(frame, *body, options);
-  const Sizes sizes(frame, options);
-  const Orientations orientations(frame);
-  const CommonColumns common(frame);
-  const Column subspheres = column(frame, {"f_subspheres"});
-  const Column spacing = column(frame, {"f_spacing"});
-  TemplateCache templates;
+  const NamedColumns columns(frame, options.columns);
   ParticleSet set;
-  set.has_velocities = common.has_velocities();
-  set.particles.reserve(frame.rows);
-  for (const std::size_t row : rows_by_id(frame)) {
-    Particle p = common.at(row);
-    p.semiaxes = sizes.at(row);
-    p.orientation = orientations.at(row, p.semiaxes);
-    const int count = subspheres_at(frame, subspheres, row, options);
-    if (count > 0) {
-      const SphereSpacing placed = spacing_at(frame, spacing, row, options);
-      try {
-        add_chain(set, p, templates.find(p.semiaxes, count, placed));
-      } catch (const std::invalid_argument& error) {
-        throw bad_value(frame, row, "a multi-sphere particle that can be built", error.what());
-      }
-    }
-    set.particles.push_back(p);
-  }
+  set.box = box_of(frame, options.periodic);
+  set.has_velocities = static_cast<bool>(columns.find("vx", "vy", "vz"));
+  set.has_spins = static_cast<bool>(columns.find("omegax", "omegay", "omegaz"));
+  refuse_blocks(columns);
+  if (const Column body = bodies_of(columns, options))
+    add_host_bodies(set, *body, columns, options);
+  else
+    add_ellipsoids(set, columns, options);
   return set;
 }
 

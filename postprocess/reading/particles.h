@@ -4,11 +4,14 @@
 // Lengths, velocities and masses in the units of the file.
 #pragma once
 
+#include "column_names.h"
 #include "frame.h"
 #include "math/vector3.h"
 #include "multisphere/multisphere_template.h"
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace ellipsoid::post {
@@ -30,13 +33,20 @@ struct Particle {
 
   bool is_smooth() const { return sphere_count == 0; }
   double largest_axis() const;
+  /// Direction of the largest semi-axis, of equal ones the first (unit, in space).
+  Vector3 long_axis() const;
   double smallest_axis() const;
 };
 
 struct ParticleSet {
   std::vector<Particle> particles;
   std::vector<Sphere> spheres; ///< of all multi-sphere particles, a particle's own in one run
-  bool has_velocities = false;
+  bool has_velocities = false, has_spins = false;
+  /// The host's bodies whose mass centre is not known from their spheres (0 where all are symmetric
+  /// about a point): their velocities are those of the centroid of the centres.
+  std::size_t asymmetric_bodies = 0;
+  Box box;                          ///< of the frame; where it repeats, so do the particles
+  std::vector<std::string> remarks; ///< how columns were understood that could mean something else
 };
 
 /// Mean over some particles of the smallest semi-axis (length): the b of tables.
@@ -48,18 +58,23 @@ std::vector<std::size_t> all_members(const ParticleSet& set);
 
 /// How columns are understood where the file does not say it.
 struct ParticleOptions {
-  std::vector<double> semiaxes; ///< a b c for files without shape columns; empty: not given
-  int subspheres = 0;           ///< number for files without a column; 0: not given
-  SphereSpacing spacing = SphereSpacing::paper; ///< for files without a column
-  double sphere_size_scale = 1.; ///< factor on sizes (0.5 where a file holds diameters)
+  std::vector<double> semiaxes;         ///< a b c for files without shape columns; empty: not given
+  std::optional<int> subspheres;        ///< number for files without a column
+  std::optional<SphereSpacing> spacing; ///< for files without a column; else that of the paper
+  std::optional<double> size_scale;     ///< factor on sizes (0.5 where a file holds whole axes)
+  ColumnNames columns;                  ///< foreign names
+  std::string bodies;   ///< column whose values > 0 join spheres to bodies, or "none"
+  std::string periodic; ///< axes along which the box repeats, or "none"; empty: as the file says
 };
 
 /// Bodies of one frame, sorted by id: measures do not depend on the order of the rows.
 ///
 /// Columns: x y z (or xu, xs, xsu ...), shapex shapey shapez (semi-axes) or radius, quat1..quat4,
 /// id, type, mass, vx.., omegax.., f_subspheres (number N; 0 or missing: smooth), f_spacing.
-/// Rows with a column `id_multisphere` or `mol` > 0 are spheres of a rigid body of the host.
-/// Throws InputError for missing columns, sizes <= 0, quaternions of length 0, impossible N.
+/// LAMMPS's names quatw..quatk and c_orient[*], c_shape[*]: whole axes, which are halved.
+/// Rows with a column `id_multisphere` > 0 are spheres of a rigid body of the host.
+/// Throws InputError for missing columns, sizes <= 0, quaternions of length 0, impossible N, ids
+/// that come twice, superquadrics that are no ellipsoids, and columns whose meaning is not sure.
 ParticleSet particles_of(const Frame& frame, const ParticleOptions& options);
 
 } // namespace ellipsoid::post

@@ -4,8 +4,10 @@
 #include "byte_source.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <filesystem>
+#include <mutex>
 #include <system_error>
 #include <vector>
 
@@ -30,10 +32,108 @@ void take_substitution(const std::string& before, const std::string& after, RunL
 
 } // namespace
 
+std::optional<bool> RunLog::is_complete() const {
+  if (!wanted_step || !reached_step)
+    return std::nullopt;
+  return *reached_step >= *wanted_step;
+}
+
+namespace {
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  for (auto word = next_token(line); !word.empty(); word = next_token(line))
+    words.push_back(word);
+  return words;
+}
+
+template <class Number> std::optional<Number> whole_token(std::string_view word) {
+  Number value{};
+  const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (result.ec != std::errc() || result.ptr != word.data() + word.size())
+    return std::nullopt;
+  return value;
+}
+
+/// "fix ID GROUP gravity G vector X Y Z"
+std::optional<Vector3> gravity_of(const std::vector<std::string_view>& words) {
+  if (words.size() < 9 || words[0] != "fix" || words[3] != "gravity" || words[5] != "vector")
+    return std::nullopt;
+  double numbers[4];
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto number = whole_token<double>(words[k == 0 ? 4 : k + 5]);
+    if (!number)
+      return std::nullopt;
+    numbers[k] = *number;
+  }
+  const Vector3 direction{numbers[1], numbers[2], numbers[3]};
+  if (!(norm(direction) > 0.0))
+    return std::nullopt;
+  return numbers[0] * normalized(direction);
+}
+
+/// What the lines of a log say, one after the other.
+class LogLines {
+ public:
+  explicit LogLines(RunLog& log) : m_log(log) {}
+
+  void take(std::string_view line) {
+    const std::vector<std::string_view> words = words_of(line);
+    if (words.empty())
+      return;
+    if (words[0] == "Step") {
+      m_is_thermo = true;
+    } else if (words[0] == "Loop") {
+      m_is_thermo = false;
+    } else if (m_is_thermo) {
+      take_step(words[0]);
+    } else {
+      take_command(words);
+    }
+  }
+
+ private:
+  void take_step(std::string_view word) {
+    const auto step = whole_token<std::int64_t>(word);
+    if (!step)
+      return;
+    m_log.reached_step = step;
+    if (m_steps)
+      m_log.wanted_step = *step + *m_steps; // the first line: where the run begins
+    m_steps.reset();
+  }
+  void take_command(const std::vector<std::string_view>& words) {
+    if (words[0] == "timestep" && words.size() > 1) {
+      if (const auto value = whole_token<double>(words[1]))
+        m_log.time_step = value;
+    } else if (words[0] == "run" && words.size() > 1) {
+      const auto count = whole_token<std::int64_t>(words[1]);
+      const bool is_upto = words.size() > 2 && words[2] == "upto";
+      if (count && is_upto)
+        m_log.wanted_step = count;
+      m_steps = is_upto ? std::nullopt : count;
+    } else if (const auto gravity = gravity_of(words)) {
+      // a resumed run appends to its log: the same fix comes again
+      m_gravity[std::string(words[1])] = *gravity;
+      m_log.gravity = Vector3{};
+      for (const auto& [id, value] : m_gravity)
+        *m_log.gravity += value;
+    }
+  }
+
+  RunLog& m_log;
+  bool m_is_thermo = false;
+  std::optional<std::int64_t> m_steps; ///< of a run whose first line is still to come
+  std::map<std::string, Vector3> m_gravity;
+};
+
+} // namespace
+
 RunLog read_run_log(const std::string& path) {
   RunLog log;
   log.path = path;
   LineReader lines(open_bytes(path), path);
+  LogLines meanings(log);
   std::string_view view;
   std::string before;
   while (lines.next(view)) {
@@ -41,6 +141,7 @@ RunLog read_run_log(const std::string& path) {
     if (log.version.empty() && line.find("LIGGGHTS") != std::string::npos)
       log.version = line;
     take_substitution(before, line, log);
+    meanings.take(line);
     double seconds = 0.0;
     int ranks = 0;
     if (std::sscanf(line.c_str(), "Loop time of %lf on %d procs", &seconds, &ranks) == 2) {
@@ -50,6 +151,22 @@ RunLog read_run_log(const std::string& path) {
     before = line;
   }
   return log;
+}
+
+const RunLog* run_log_of(const std::string& dump) {
+  static std::mutex mutex;
+  static std::map<std::string, std::optional<RunLog>> known; // by folder
+  const std::string folder = std::filesystem::path(dump).parent_path().string();
+  const std::lock_guard<std::mutex> lock(mutex);
+  auto found = known.find(folder);
+  if (found == known.end()) {
+    const std::string path = log_beside(dump);
+    found = known
+                .emplace(folder,
+                         path.empty() ? std::nullopt : std::optional<RunLog>(read_run_log(path)))
+                .first;
+  }
+  return found->second ? &*found->second : nullptr;
 }
 
 std::string log_beside(const std::string& dump) {

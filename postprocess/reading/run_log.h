@@ -1,7 +1,11 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #pragma once
 
+#include "math/vector3.h"
+
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace ellipsoid::post {
@@ -13,10 +17,21 @@ struct RunLog {
   std::map<std::string, std::string> variables; ///< values that were put in for ${name}
   double loop_time = 0.0;                       ///< of all run commands together (s)
   int ranks = 0;                                ///< MPI processes of the last run command
+  std::optional<double> time_step;              ///< of the last `timestep` command
+  std::optional<Vector3> gravity;               ///< of `fix gravity`, all fixes together
+  std::optional<std::int64_t> wanted_step;      ///< at which the last run command was to end
+  std::optional<std::int64_t> reached_step;     ///< of the last line of thermo output
+
+  /// Whether the last run command came to its end; nothing where the log does not tell.
+  std::optional<bool> is_complete() const;
 };
 
 /// Reads a log file. Throws InputError when it cannot be read.
 RunLog read_run_log(const std::string& path);
+
+/// The log in the folder of a dump, read once for all its frames (from any thread); null where
+/// there is none. Throws InputError when it cannot be read.
+const RunLog* run_log_of(const std::string& dump);
 
 /// The first file "log.*" or "*.log" in the folder of a dump, or an empty string.
 std::string log_beside(const std::string& dump);

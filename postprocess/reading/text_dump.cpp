@@ -4,6 +4,7 @@
 #include "frame_rows.h"
 #include "number_text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
 
@@ -82,17 +83,65 @@ std::int64_t TextDumpReader::integer(std::string_view token, const char* expecte
   return value;
 }
 
+namespace {
+
+/// The edges of a tilted box and its two corners, from the bounds of the rectangle around it.
+/// @param[in] tilts xy, xz, yz (length)
+void set_tilted(Box& box, const double (&tilts)[3]) {
+  const auto [xy, xz, yz] = tilts;
+  box.lower[0] -= std::min({0.0, xy, xz, xy + xz});
+  box.upper[0] -= std::max({0.0, xy, xz, xy + xz});
+  box.lower[1] -= std::min(0.0, yz);
+  box.upper[1] -= std::max(0.0, yz);
+  const double width[3] = {box.upper[0] - box.lower[0], box.upper[1] - box.lower[1],
+                           box.upper[2] - box.lower[2]};
+  if (xy != 0.0 || xz != 0.0 || yz != 0.0)
+    box.tilted_edges = {{width[0], 0.0, 0.0}, {xy, width[1], 0.0}, {xz, yz, width[2]}};
+  box.upper[0] += xy + xz;
+  box.upper[1] += yz;
+}
+
+} // namespace
+
+/// Three lines: "lower upper" of a box along the axes, "lower upper tilt" (xy, xz, yz) with the
+/// bounds of the rectangle around a tilted box, "x y z origin" for each of three general edges.
 void TextDumpReader::read_box(Frame& frame, std::string_view title) {
   frame.box = Box();
   std::vector<std::string> words = tokens_of(title.substr(std::string_view("BOX BOUNDS").size()));
+  const auto is_said = [&](const char* word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  const bool is_general = is_said("abc"), is_tilted = is_said("xy");
   for (const auto& word : words)
-    if (word != "xy" && word != "xz" && word != "yz")
+    if (word != "xy" && word != "xz" && word != "yz" && word != "abc" && word != "origin")
       frame.box.boundary += (frame.box.boundary.empty() ? "" : " ") + word;
+  double tilts[3] = {0.0, 0.0, 0.0};
   for (int k = 0; k < 3; ++k) {
     std::string_view rest = line_of("the lower and upper bound of the box");
-    frame.box.lower[k] = number(next_token(rest), "the lower bound of the box, a number");
-    frame.box.upper[k] = number(next_token(rest), "the upper bound of the box, a number");
+    if (is_general) {
+      Vector3& edge = frame.box.tilted_edges.emplace_back();
+      for (double* x : {&edge.x, &edge.y, &edge.z})
+        *x = number(next_token(rest), "an edge of the box, three numbers");
+      frame.box.lower[k] = number(next_token(rest), "the origin of the box, a number");
+    } else {
+      frame.box.lower[k] = number(next_token(rest), "the lower bound of the box, a number");
+      frame.box.upper[k] = number(next_token(rest), "the upper bound of the box, a number");
+      if (is_tilted)
+        tilts[k] = number(next_token(rest), "a tilt of the box, a number");
+    }
+    if (const std::string_view more = next_token(rest); !more.empty())
+      throw unexpected(here(), "the end of the line with the box's bounds",
+                       quoted(std::string(more)));
   }
+  if (is_tilted)
+    set_tilted(frame.box, tilts);
+  for (const Vector3& edge : is_general ? frame.box.tilted_edges : std::vector<Vector3>{}) {
+    frame.box.upper[0] += edge.x;
+    frame.box.upper[1] += edge.y;
+    frame.box.upper[2] += edge.z;
+  }
+  for (int k = 0; is_general && k < 3; ++k)
+    frame.box.upper[k] += frame.box.lower[k];
 }
 
 /// One section of the header behind "ITEM: "; true when it was the one that announces the rows.

@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "vtk_dump.h"
 
+#include "legacy_vtk_check.h"
 #include "quaternion_of_matrix.h"
 
 #include <algorithm>
@@ -91,6 +92,7 @@ vtkSmartPointer<vtkPointSet> read_points(const std::string& path) {
     return read_with<vtkXMLUnstructuredGridReader>(path);
   if (ends_with(path, ".vtp"))
     return read_with<vtkXMLPolyDataReader>(path);
+  check_legacy_vtk(path);
   const auto reader = vtkSmartPointer<vtkDataSetReader>::New();
   reader->SetFileName(path.c_str());
   reader->ReadAllScalarsOn();
@@ -129,11 +131,13 @@ std::vector<std::string> column_names(const std::string& name, int components) {
 }
 
 void add_column(Frame& frame, const std::string& name, std::vector<double> values) {
-  for (std::size_t row = 0; row < values.size(); ++row)
-    if (!std::isfinite(values[row]))
-      throw InputError(fmt::format("{}: array \"{}\", point {}: expected a finite number, found {}",
-                                   frame.place.file, name, row, values[row]));
   frame.names.push_back(name);
+  frame.unreadable.emplace_back();
+  for (std::size_t row = 0; row < values.size(); ++row)
+    if (!std::isfinite(values[row]) && frame.unreadable.back().empty())
+      frame.unreadable.back() =
+          fmt::format("{}: array \"{}\", point {}: expected a finite number, found {}",
+                      frame.place.file, name, row, values[row]);
   frame.columns.push_back(std::move(values));
 }
 

@@ -59,7 +59,46 @@ read -r step _ _ _ _ pairs _ < <(awk '/^ *Step / { getline; first = $0 } END { p
 echo "smooth_seed1 went on from step $step with $pairs pairs in contact"
 [[ $step -ge $rest && $pairs -gt 0 ]] || fail "no contact at the interruption"
 
+echo "--- interrupted politely: the engine ends with status 0, the run is not measured"
+one=(--surfaces smooth --seeds 1)
+setsid bash "$ELLIPSOID_SOURCE/inputs/campaign.sh" --out polite "${one[@]}" --jobs 1 -- \
+  "${variables[@]}" >polite.out 2>&1 &
+polite_group=$!
+for _ in $(seq 12000); do
+  [[ $(newest_step polite/smooth_seed1) -le 0 ]] || break
+  sleep 0.02
+done
+pkill -TERM --pgroup "$polite_group" -x liggghts || fail "the run was over before it could be interrupted"
+if wait "$polite_group"; then
+  fail "an interrupted run counts as finished"
+fi
+grep -q "smooth_seed1: interrupted before its end" polite.out || fail "nothing is said: $(cat polite.out)"
+[[ ! -e polite/smooth_seed1/pile.csv && ! -e polite/report.html ]] || fail "it was measured"
+"$ELLIPSOID_BIN/ellipsoid-post" pile --one-run polite/smooth_seed1/pile.*.dump --csv early.csv --quiet \
+  2>message || true
+grep -q "the run is not complete: .* reached step" message || fail "pile does not say it: $(cat message)"
+bash "$ELLIPSOID_SOURCE/inputs/campaign.sh" --out polite "${one[@]}" --jobs 1 -- "${variables[@]}"
+cmp <(cut -d, -f2- alone/smooth_seed1/pile.csv) <(cut -d, -f2- polite/smooth_seed1/pile.csv) ||
+  fail "the interrupted run differs"
+
 echo "--- wrong use"
+for wrong in "a b" 'a$(touch executed)' 'a;b' "a'b"; do
+  if bash "$ELLIPSOID_SOURCE/inputs/campaign.sh" --out "$wrong" "${one[@]}" >/dev/null 2>message; then
+    fail "the path '$wrong' was accepted"
+  fi
+  [[ $(wc -l <message) -eq 1 ]] && grep -q "the path '.*' has blanks or signs" message ||
+    fail "no word of the path: $(cat message)"
+done
+[[ ! -e executed ]] || fail "a path was executed"
+if (cd "$ELLIPSOID_SOURCE/inputs" && "$ELLIPSOID_BIN/liggghts" -in piling.in -log none -screen none \
+  -var out "$OLDPWD/a b" >"$OLDPWD/message" 2>&1); then
+  fail "the engine took a path with a blank"
+fi
+grep -q "make_folder takes one path without blanks" message || fail "the reason is not said: $(cat message)"
+"$ELLIPSOID_BIN/liggghts" -in "$ELLIPSOID_SOURCE/inputs/piling.in" -log none -screen none "${variables[@]}" \
+  -var particles 1 -var settle 1e-4 -var interval 1e-4 -var out 'x;echo>executed' >message 2>&1 ||
+  true
+[[ ! -e executed ]] || fail "the engine executed a path"
 if bash "$ELLIPSOID_SOURCE/inputs/campaign.sh" --out x --surfaces round 2>message; then
   fail "a wrong surface was accepted"
 fi

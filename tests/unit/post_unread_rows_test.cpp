@@ -83,16 +83,14 @@ std::vector<Fault> faults() {
     return Fault{good_frames(0, 6) + frame + after, "line" + message, 6};
   };
   return {
-      broken(frame_text(6, {"1 0 0 0 1", "2 0 0 nan 1"}),
-             ":77: frame 7: expected a finite number in column \"z\", found \"nan\""),
       broken(frame_text(6, {"1 0 0 0", "2 0 0 0 1"}),
              ":76: frame 7: expected 5 values in row 1 of 2, found 4: \"1 0 0 0\""),
       broken(frame_text(6, {"1 0 0 0 1 7", "2 0 0 0 1"}),
              ":76: frame 7: expected 5 values in row 1 of 2, found more: \"1 0 0 0 1 7\""),
       broken(frame_text(6, {"1 0 0 0 1"}, "2"),
              ":77: frame 7: expected row 2 of 2, found \"ITEM: TIMESTEP\""),
-      broken(frame_text(6, {"1 x 0 0 1"}, "2"), // two faults: the first one counts
-             ":76: frame 7: expected a finite number in column \"x\", found \"x\""),
+      broken(frame_text(6, {"1 x 0 0 1"}, "2"), // no row counts of a frame that is not whole
+             ":77: frame 7: expected row 2 of 2, found \"ITEM: TIMESTEP\""),
       broken(frame_text(6, {std::string("1 0 \0 0 1", 9), "2 0 0 0 1"}),
              ":76: frame 7: expected text, found a NUL byte: these are binary data"),
       {good_frames(0, 6) + frame_text(6, {"1 0 0 0 1", "2 0 0 0 1"}, "1") + after,
@@ -160,6 +158,20 @@ TEST(UnreadRows, in_threads_nothing_behind_a_fault_counts) {
     for (const unsigned threads : {2u, 3u, 7u})
       EXPECT_EQ(in_threads({name}, threads), alone) << threads;
   }
+}
+
+TEST(UnreadRows, in_threads_a_value_that_is_no_number_counts_for_its_frame) {
+  write("word.dump",
+        good_frames(0, 6) + frame_text(6, {"1 0 0 0 1", "2 0 0 nan 1"}) + good_frames(7, 3));
+  const std::string alone = in_threads({"word.dump"}, 1);
+  EXPECT_EQ(alone.substr(0, 25), " 0 1 2 3 5 7 8 9; exit 1\n") << alone;
+  EXPECT_NE(
+      alone.find("error: word.dump:77: frame 7: expected a finite number in column \"z\", found "
+                 "\"nan\"\n"),
+      std::string::npos)
+      << alone;
+  for (const unsigned threads : {2u, 5u})
+    EXPECT_EQ(in_threads({"word.dump"}, threads), alone) << threads;
 }
 
 TEST(UnreadRows, in_threads_runs_are_reported_one_after_the_other) {

@@ -1,0 +1,44 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "column_names.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace ellipsoid::post {
+
+const std::vector<std::string> known_columns = {
+    "id",           "type",     "mass",   "x",      "y",      "z",      "vx",
+    "vy",           "vz",       "omegax", "omegay", "omegaz", "quat1",  "quat2",
+    "quat3",        "quat4",    "shapex", "shapey", "shapez", "radius", "diameter",
+    "f_subspheres", "f_spacing"};
+
+void add_column_name(ColumnNames& names, const std::string& assignment) {
+  const std::size_t sign = assignment.find('=');
+  const std::string name = assignment.substr(0, sign);
+  if (sign == std::string::npos || sign + 1 == assignment.size())
+    throw InputError(fmt::format("--column \"{}\": expected NAME=COLUMN", assignment));
+  if (std::find(known_columns.begin(), known_columns.end(), name) == known_columns.end())
+    throw InputError(fmt::format("--column \"{}\": NAME must be one of {}", assignment,
+                                 fmt::join(known_columns, " ")));
+  names[name] = assignment.substr(sign + 1);
+}
+
+NamedColumns::NamedColumns(const Frame& frame, const ColumnNames& names)
+    : m_frame(frame), m_names(names) {
+  for (const auto& [name, column] : names)
+    frame.required(column, fmt::format("--column {}={}", name, column));
+}
+
+Column NamedColumns::find(const std::string& name) const {
+  const auto named = m_names.find(name);
+  const int k = m_frame.find(named == m_names.end() ? name : named->second);
+  return k < 0 ? nullptr : &m_frame.columns[static_cast<std::size_t>(k)];
+}
+
+VectorColumns NamedColumns::find(const std::string& x, const std::string& y,
+                                 const std::string& z) const {
+  return {find(x), find(y), find(z)};
+}
+
+} // namespace ellipsoid::post
