@@ -171,6 +171,9 @@ void FixWallGranEllipsoid::init() {
 
 void FixWallGranEllipsoid::post_force_primitive(int) {
   finder_->begin_step();
+  const auto count = static_cast<std::size_t>(atom->nlocal);
+  if (neighbor->ago == 0 || may_touch_.size() != count)
+    may_touch_.assign(count, 1);
   int* near;
   const int near_count = primitiveWall_->getNeighbors(near);
   for (int k = 0; k < near_count; ++k)
@@ -182,23 +185,24 @@ void FixWallGranEllipsoid::post_force_mesh(int) {
   finder_->begin_step();
   for (int m = 0; m < n_FixMesh_; ++m)
     FixMesh_list_[m]->contactHistory()->markAllContacts();
-  if (dnum() > 0)
-    is_near_.assign(static_cast<std::size_t>(atom->nlocal), 0);
-  meshes_.collect(FixMesh_list_, n_FixMesh_, groupbit);
-  meshes_.for_each_particle([this](int i) {
-    find_and_apply_contacts(i);
+  if (meshes_.update(FixMesh_list_, n_FixMesh_, groupbit)) {
+    may_touch_.assign(static_cast<std::size_t>(atom->nlocal), 1);
     if (dnum() > 0)
-      is_near_[static_cast<std::size_t>(i)] = 1;
+      forget_far_contacts();
+  }
+  meshes_.for_each_particle([this](int i) {
+    if (find_and_apply_contacts(i))
+      for (int m = 0; m < n_FixMesh_; ++m)
+        FixMesh_list_[m]->contactHistory()->cleanUpContacts(i, i + 1);
   });
-  forget_far_contacts();
-  for (int m = 0; m < n_FixMesh_; ++m)
-    FixMesh_list_[m]->contactHistory()->cleanUpContacts();
 }
 
 /// Particles without near triangles have no contacts.
 void FixWallGranEllipsoid::forget_far_contacts() {
-  for (std::size_t i = 0; i < is_near_.size(); ++i)
-    if (!is_near_[i])
+  std::vector<char> is_near(static_cast<std::size_t>(atom->nlocal), 0);
+  meshes_.for_each_particle([&](int i) { is_near[static_cast<std::size_t>(i)] = 1; });
+  for (std::size_t i = 0; i < is_near.size(); ++i)
+    if (!is_near[i])
       history_.forget(fix_history_primitive_->array_atom[i]);
 }
 
@@ -216,12 +220,18 @@ Vector3 FixWallGranEllipsoid::primitive_velocity(const Vector3& place) const {
   return cross(vector(velocity), place - vector(cylinder_centre_));
 }
 
-void FixWallGranEllipsoid::find_and_apply_contacts(int i) {
+/// Returns whether there is, or may have been in the last step, a contact.
+bool FixWallGranEllipsoid::find_and_apply_contacts(int i) {
+  char& may_touch = may_touch_[static_cast<std::size_t>(i)];
   finder_->find(i, contacts_);
+  if (contacts_.empty() && !may_touch)
+    return false;
+  may_touch = !contacts_.empty();
   double* row = dnum() > 0 ? take_history(i) : nullptr;
   const double weight = multicontact_weight(rule_, std::max(1, static_cast<int>(contacts_.size())));
   for (std::size_t k = 0; k < contacts_.size(); ++k)
     apply(i, contacts_[k], row ? history_.values(row, k) : nullptr, weight);
+  return true;
 }
 
 /// Gives the contacts their former values; returns the particle's row of the history.

@@ -47,13 +47,13 @@ class FixWallGranEllipsoid : public FixWallGran,
   ellipsoid_host::WallHistory history_;
   std::unique_ptr<ellipsoid_host::WallContactFinder> finder_;
   std::vector<ellipsoid::WallContact> contacts_; // of one particle with the wall
-  std::vector<char> is_near_;                    // per owned particle: has near triangles
+  std::vector<char> may_touch_; // per owned particle: touched in the last step, or new lists
 
   void read_cylinder(int narg, char** arg);
   template <class Bodies> void choose_finder();
   void forget_far_contacts();
   ellipsoid::Vector3 primitive_velocity(const ellipsoid::Vector3& place) const;
-  void find_and_apply_contacts(int particle);
+  bool find_and_apply_contacts(int particle);
   double* take_history(int particle);
   void apply(int particle, const ellipsoid::WallContact& contact, double* history, double weight);
   void prepare_for_mesh(int particle, const ellipsoid::WallContact& contact, FixMeshSurface* mesh,

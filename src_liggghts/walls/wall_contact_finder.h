@@ -108,11 +108,13 @@ template <class Bodies> class CylinderContactFinder : public WallContactFinder {
 
 template <class Bodies> class MeshContactFinder : public WallContactFinder {
  public:
-  /// @param[in] meshes have collected what is near, and stand at the particle that find() is for
-  MeshContactFinder(LAMMPS_NS::LAMMPS* lmp, const WallMeshes& meshes)
-      : bodies_(lmp), meshes_(meshes) {}
+  /// @param[in] meshes are up to date, and stand at the particle that find() is for
+  MeshContactFinder(LAMMPS_NS::LAMMPS* lmp, WallMeshes& meshes) : bodies_(lmp), meshes_(meshes) {}
   void begin_step() override { bodies_.begin_step(); }
   void find(int i, std::vector<ellipsoid::WallContact>& contacts) override {
+    contacts.clear();
+    if (!meshes_.select([&] { return bodies_.body(i); }))
+      return;
     find_mesh_contacts(
         bodies_.body(i), meshes_.triangles(),
         [this](int first, int second) { return meshes_.same_surface(first, second); }, found_);
@@ -121,7 +123,7 @@ template <class Bodies> class MeshContactFinder : public WallContactFinder {
 
  private:
   Bodies bodies_;
-  const WallMeshes& meshes_;
+  WallMeshes& meshes_;
   std::vector<ellipsoid::TriangleContact> found_;
 };
 

@@ -5,9 +5,11 @@
 #include "ellipsoid_host.h"
 #include "fix_mesh_surface.h"
 #include "fix_neighlist_mesh.h"
+#include "neighbor.h"
 #include "wall/wall_tolerances.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 using namespace LAMMPS_NS;
@@ -17,25 +19,45 @@ namespace ellipsoid_host {
 
 namespace {
 
-/// Triangles within so many radii of the bounding sphere are near: a little more than can be
-/// touched.
-constexpr double near_reach = 1.01;
+/// Triangles with a smaller gap than this share of the bounding radius are within reach: they are
+/// looked at in every step, the others only after the particle has moved as far.
+constexpr double reach_share = 0.03;
 
 } // namespace
 
-ellipsoid::Triangle WallMeshes::nodes(int mesh, int index) const {
-  ellipsoid::Triangle triangle;
+ellipsoid::Triangle WallMeshes::nodes(const NearTriangle& triangle) const {
+  ellipsoid::Triangle t;
   for (int k = 0; k < 3; ++k) {
     double node[3];
-    meshes_[mesh]->triMesh()->node(index, k, node);
-    triangle[static_cast<std::size_t>(k)] = vector(node);
+    meshes_[triangle.mesh]->triMesh()->node(triangle.index, k, node);
+    t[static_cast<std::size_t>(k)] = vector(node);
   }
-  return triangle;
+  return t;
 }
 
-void WallMeshes::collect(FixMeshSurface** meshes, int count, int groupbit) {
+ellipsoid::Triangle WallMeshes::relative_nodes(const NearTriangle& triangle) const {
+  ellipsoid::Triangle t = nodes(triangle);
+  const Vector3 centre = vector(atom->x[triangle.particle]);
+  for (Vector3& node : t)
+    node -= centre;
+  return t;
+}
+
+bool WallMeshes::update(FixMeshSurface** meshes, int count, int groupbit) {
+  const bool is_new = neighbor->ago == 0 || !meshes_;
   meshes_ = meshes;
+  if (is_new)
+    collect(count, groupbit);
+  else
+    follow_moving();
+  return is_new;
+}
+
+void WallMeshes::collect(int count, int groupbit) {
   pairs_.clear();
+  moving_.clear();
+  positions_.clear();
+  particles_.clear();
   for (int m = 0; m < count; ++m) {
     const int triangles = meshes_[m]->triMesh()->sizeLocal() + meshes_[m]->triMesh()->sizeGhost();
     for (int t = 0; t < triangles; ++t)
@@ -46,44 +68,87 @@ void WallMeshes::collect(FixMeshSurface** meshes, int count, int groupbit) {
     return std::tie(a.particle, a.mesh, a.id, a.index) <
            std::tie(b.particle, b.mesh, b.id, b.index);
   });
+  reach_.resize(pairs_.size());
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    if (k == 0 || pairs_[k].particle != pairs_[k - 1].particle) {
+      particles_.emplace_back();
+      particles_.back().particle = pairs_[k].particle;
+      particles_.back().first = k;
+    }
+    particles_.back().last = k + 1;
+  }
 }
 
 void WallMeshes::collect_triangle(int mesh, int index, int groupbit) {
   const std::vector<int>& near = meshes_[mesh]->meshNeighlist()->get_contact_list(index);
-  if (near.empty())
-    return;
-  const ellipsoid::Triangle triangle = nodes(mesh, index);
-  const Vector3 normal = unit_normal(triangle);
   NearTriangle pair;
   pair.mesh = mesh;
   pair.index = index;
   pair.id = meshes_[mesh]->triMesh()->id(index);
+  const std::size_t before = pairs_.size();
   for (const int i : near) {
     if (i >= atom->nlocal || !(atom->mask[i] & groupbit))
-      continue;
-    const Vector3 centre = vector(atom->x[i]);
-    const double reach = near_reach * atom->radius[i];
-    if (std::fabs(dot(normal, centre - triangle[0])) > reach ||
-        norm(nearest_point(triangle, centre) - centre) > reach)
       continue;
     pair.particle = i;
     pairs_.push_back(pair);
   }
+  TriMesh& triangles = *meshes_[mesh]->triMesh();
+  if (pairs_.size() == before || !(triangles.isMoving() || triangles.isDeforming()))
+    return;
+  moving_.push_back(pair);
+  positions_.push_back(nodes(pair));
 }
 
-/// Makes the pairs of one particle the present ones; returns where those of the next begin.
-std::size_t WallMeshes::select(std::size_t first) {
-  const int particle = pairs_[first].particle;
-  const Vector3 centre = vector(atom->x[particle]);
+/// Adds the largest displacement of any corner to the way.
+void WallMeshes::follow_moving() {
+  double largest_square = 0.0;
+  for (std::size_t k = 0; k < moving_.size(); ++k) {
+    const ellipsoid::Triangle now = nodes(moving_[k]);
+    for (std::size_t n = 0; n < 3; ++n) {
+      const Vector3 step = now[n] - positions_[k][n];
+      largest_square = std::max(largest_square, dot(step, step));
+    }
+    positions_[k] = now;
+  }
+  way_ += std::sqrt(largest_square);
+}
+
+/// A bound of the way of any point of the particle, and of any triangle, since the gaps were
+/// measured: with q0 and q the quaternions then and now it has turned by twice the angle whose
+/// cosine is q0.q.
+double WallMeshes::moved(const Particle& particle) const {
+  const int i = particle.particle;
+  const Vector3 way = vector(atom->x[i]) - particle.centre;
+  const ellipsoid::Quaternion now = quaternion(atom->quaternion[i]), &then = particle.orientation;
+  const double cosine = now.w * then.w + now.x * then.x + now.y * then.y + now.z * then.z;
+  const double half_chord = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+  return norm(way) + 2.0 * half_chord * atom->radius[i] + (way_ - particle.way);
+}
+
+void WallMeshes::begin_measuring(Particle& particle) const {
+  const int i = particle.particle;
+  particle.centre = vector(atom->x[i]);
+  particle.orientation = quaternion(atom->quaternion[i]);
+  particle.way = way_;
+  particle.count = 0;
+}
+
+double WallMeshes::reach_of(const Particle& particle) const {
+  return reach_share * atom->radius[particle.particle];
+}
+
+/// Triangles so near a contact's foot matter for it.
+double WallMeshes::margin(const Particle& particle) const {
+  return ellipsoid::wall_tolerance::same_plane * atom->radius[particle.particle];
+}
+
+void WallMeshes::take_triangles(const Particle& particle) {
   near_.clear();
   triangles_.clear();
-  for (; first < pairs_.size() && pairs_[first].particle == particle; ++first) {
-    near_.push_back(pairs_[first]);
-    triangles_.push_back(nodes(pairs_[first].mesh, pairs_[first].index));
-    for (Vector3& node : triangles_.back())
-      node -= centre;
+  for (std::size_t k = 0; k < particle.count; ++k) {
+    near_.push_back(pairs_[reach_[particle.first + k]]);
+    triangles_.push_back(relative_nodes(near_.back()));
   }
-  return first;
 }
 
 bool WallMeshes::same_surface(int first, int second) const {

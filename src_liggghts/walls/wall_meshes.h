@@ -1,12 +1,18 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // The triangles of fix mesh/surface near each particle.
+//
+// Which triangles are near a particle is taken from the host's lists when these are new. Of them
+// only some are looked at in a time step, those within reach: the others are farther from the
+// particle than it, and the meshes, have moved since their gaps were measured.
 #ifndef ELLIPSOID_WALL_MESHES_H
 #define ELLIPSOID_WALL_MESHES_H
 
 #include "pointers.h"
 #include "wall/mesh_contact.h"
 
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -26,23 +32,37 @@ class WallMeshes : private LAMMPS_NS::Pointers {
     int id = 0;    ///< the same on all ranks
   };
 
-  /// Finds all near pairs of triangles and owned particles of a group, from the host's lists.
-  void collect(LAMMPS_NS::FixMeshSurface** meshes, int count, int groupbit);
+  /// To be called once per time step, before all else: takes new lists of near triangles and owned
+  /// particles of a group, and follows meshes that move.
+  /// @return whether the lists are new
+  bool update(LAMMPS_NS::FixMeshSurface** meshes, int count, int groupbit);
 
-  /// Calls visit(particle) for each particle with near triangles; these are at hand then.
+  /// Calls visit(particle) for each particle with near triangles; select() is about it then.
   template <class Visit> void for_each_particle(const Visit& visit) {
-    for (std::size_t first = 0; first < pairs_.size();) {
-      first = select(first);
-      visit(near_.front().particle);
-    }
+    for (current_ = 0; current_ < particles_.size(); ++current_)
+      visit(particles_[current_].particle);
   }
 
-  /// Of the particle's near triangles, by their index in triangles().
+  /// Puts the triangles within reach of the present particle into triangles().
+  /// @param[in] make_body gives the particle as it is now, for smallest_gap()
+  /// @return whether there are any
+  template <class MakeBody> bool select(const MakeBody& make_body) {
+    Particle& particle = particles_[current_];
+    if (!(moved(particle) < particle.free_way))
+      measure_gaps(particle, make_body());
+    if (particle.count == 0)
+      return false;
+    take_triangles(particle);
+    return true;
+  }
+
+  /// Of triangles(), by the index there.
   const NearTriangle& near(int triangle) const { return near_[static_cast<std::size_t>(triangle)]; }
   /// Tells triangles of all meshes apart; 0 for what is no triangle (index -1).
   double code(int triangle) const {
     return triangle < 0 ? 0.0 : 1.0 + near(triangle).id + 4294967296.0 * near(triangle).mesh;
   }
+  /// Relative to the particle's centre.
   const std::vector<ellipsoid::Triangle>& triangles() const { return triangles_; }
   /// For find_mesh_contacts(): the meshes' own angle `curvature` decides.
   bool same_surface(int first, int second) const;
@@ -52,13 +72,52 @@ class WallMeshes : private LAMMPS_NS::Pointers {
   bool adjoining(double code, int triangle) const;
 
  private:
-  LAMMPS_NS::FixMeshSurface** meshes_ = nullptr;
-  std::vector<NearTriangle> pairs_, near_;     // of all particles, of the present one
-  std::vector<ellipsoid::Triangle> triangles_; // of the present one, relative to its centre
+  /// Of all near triangles of a particle those within reach are a part.
+  struct Particle {
+    int particle = 0;
+    std::size_t first = 0, last = 0;   ///< of its near triangles in pairs_
+    std::size_t count = 0;             ///< of those within reach; their places are in reach_
+    ellipsoid::Vector3 centre;         ///< when the gaps were measured (length)
+    ellipsoid::Quaternion orientation; ///< the same
+    double way = 0.0;                  ///< of the meshes until then (length)
+    double free_way = -1.0;            ///< that leaves the others out of reach (length)
+  };
 
-  ellipsoid::Triangle nodes(int mesh, int index) const;
+  LAMMPS_NS::FixMeshSurface** meshes_ = nullptr;
+  std::vector<NearTriangle> pairs_; // of all particles
+  std::vector<std::size_t> reach_;  // from Particle::first on: places in pairs_
+  std::vector<Particle> particles_;
+  std::size_t current_ = 0;
+  std::vector<NearTriangle> near_;             // of the present one
+  std::vector<ellipsoid::Triangle> triangles_; // the same
+  std::vector<NearTriangle> moving_;           // one entry per near triangle of meshes that move
+  std::vector<ellipsoid::Triangle> positions_; // of these, in the last step
+  double way_ = 0.0; // the largest of any corner, added up over the steps (length)
+
+  ellipsoid::Triangle nodes(const NearTriangle& triangle) const;
+  ellipsoid::Triangle relative_nodes(const NearTriangle& triangle) const;
+  void collect(int count, int groupbit);
   void collect_triangle(int mesh, int index, int groupbit);
-  std::size_t select(std::size_t first);
+  void follow_moving();
+  double moved(const Particle& particle) const;
+  void take_triangles(const Particle& particle);
+  double margin(const Particle& particle) const;
+
+  template <class Body> void measure_gaps(Particle& particle, const Body& body) {
+    begin_measuring(particle);
+    const double reach = reach_of(particle);
+    double nearest_other = HUGE_VAL;
+    for (std::size_t k = particle.first; k < particle.last; ++k) {
+      const double gap = smallest_gap(body, relative_nodes(pairs_[k]));
+      if (gap <= reach)
+        reach_[particle.first + particle.count++] = k;
+      else
+        nearest_other = std::fmin(nearest_other, gap);
+    }
+    particle.free_way = nearest_other - margin(particle);
+  }
+  void begin_measuring(Particle& particle) const;
+  double reach_of(const Particle& particle) const;
 };
 
 } // namespace ellipsoid_host

@@ -22,9 +22,9 @@ import numpy as np
 import where
 from figures import CASE, figure_rows, write_figures
 from machine import description
-from scripts import (LAW, SIDE, SMOOTH, SPHERE, SUPERQUADRIC, damped, moving_bodies, multisphere, rigid,
-                     rigid_bodies, settle, timed, with_law)
-from start import A, B, VOLUME_RADIUS, bodies, compaction, data_file, lattice, tile
+from scripts import (BOX, LAW, SIDE, SMOOTH, SPHERE, SUPERQUADRIC, damped, moving_bodies, multisphere,
+                     rigid, rigid_bodies, settle, timed, with_law)
+from start import A, B, VOLUME_RADIUS, bodies, box_mesh, compaction, data_file, lattice, tile
 
 HERE = Path(__file__).parent
 SOURCE = HERE.parent.parent
@@ -60,12 +60,13 @@ class Group:
     """Shapes that are compared with each other and with spheres."""
 
     name: str
-    case: str  # compaction, bed, flow or cloud
+    case: str  # compaction, bed, flow, cloud, box or mesh
     shapes: list
     tiles: tuple = (1, 1)
     ranks: int = 1
     most_repeats: int = 99
     law: str = LAW
+    cells: int = 0  # of each side of a box of triangles, along an edge
 
     @property
     def particles(self):
@@ -92,6 +93,9 @@ def groups():
         Group("flow", "flow", FEW_SHAPES),
         Group("cloud", "cloud", FEW_SHAPES),
         *(Group(f"bed 1000, {name}", "bed", FEW_SHAPES[:2], law=law) for name, law in OTHER_LAWS.items()),
+        Group("box of planes", "box", [SMOOTH], (2, 2), 1, 3),
+        Group("mesh 10240", "mesh", [SMOOTH, multisphere(5)], (2, 2), 1, 3, cells=32),
+        Group("mesh 100000", "mesh", [SMOOTH], (2, 2), 1, 3, cells=100),
         Group("size 10000", "bed", FEW_SHAPES[:2], (5, 2), 1, 2),
         Group("size 100000", "bed", FEW_SHAPES[:2], (10, 10), 1, 2),
         Group("size 1000000", "bed", [SMOOTH], (40, 25), 1, 1),
@@ -153,15 +157,30 @@ class Bench:
             self.finish(start_shape(shape), settle(start_shape(shape), "flow", base, FLOWING_STEPS), file)
         return self.state(f"flow.{shape.start}.data", make)
 
-    def finish(self, shape, script, file):
-        """Runs `script` and writes its last frame as a data file."""
+    def box(self, shape):
+        """Four times as many particles, at rest in a box with walls."""
+        def make(file):
+            per_side = int(BOX / (2.04 * A)) - 1
+            particles, height = lattice(shape.start, per_side, 4 * COUNT, BOX / per_side)
+            loose = file.with_suffix(".loose")
+            loose.write_text(data_file(shape.start, particles, (0.0, BOX, 0.0, BOX, -A, height + 4.0 * A), 2))
+            self.finish(start_shape(shape), settle(start_shape(shape), "box", loose, SETTLING_STEPS), file, BOX,
+                        BOX + A)
+        return self.state(f"box.{shape.start}.data", make)
+
+    def mesh(self, cells):
+        return self.state(f"box{cells}.stl", lambda file: file.write_text(box_mesh(BOX, BOX, cells)))
+
+    def finish(self, shape, script, file, side=SIDE, height=0.0):
+        """Runs `script` and writes its last frame as a data file, whose box has that height at least."""
         self.run(script)
         lines = (self.run_folder / "settled.dump").read_text().splitlines()
-        values = np.array([line.split() for line in lines[-COUNT:]], float)
-        quaternions = values[:, 11:15] if shape.kind != "sphere" else np.tile([1.0, 0, 0, 0], (COUNT, 1))
+        count = int(lines[3])
+        values = np.array([line.split() for line in lines[-count:]], float)
+        quaternions = values[:, 11:15] if shape.kind != "sphere" else np.tile([1.0, 0, 0, 0], (count, 1))
         particles = bodies(shape.start, values[:, 2:5], quaternions, values[:, 5:8], values[:, 8:11],
                            values[:, 1])
-        box = (0.0, SIDE, 0.0, SIDE, -A, values[:, 4].max() + 4.0 * A)
+        box = (0.0, side, 0.0, side, -A, max(height, values[:, 4].max() + 4.0 * A))
         file.write_text(data_file(shape.start, particles, box, 2))
 
     def settle_rigid(self, shape, file):
@@ -211,6 +230,9 @@ class Bench:
         if group.particles > 200000:
             steps = 20
         warm = max(10, min(steps // 5, 200))
+        if group.case in ("box", "mesh"):
+            mesh = self.mesh(group.cells) if group.cells else None
+            return moving_bodies(shape, group.case, self.box(shape), mesh) + timed(steps, warm), steps
         start = {"bed": self.bed, "flow": self.flow, "cloud": self.cloud}[group.case](shape)
         if shape.kind == "rigid":
             return self.rigid_script(shape, start) + timed(steps, warm), steps
@@ -331,6 +353,10 @@ TARGETS = (
      ("bed 1000", "multisphere 17"), ">= 10", 20.0),
     ("N = 55 to N = 5, compaction", ("compaction", "multisphere 55"), ("compaction", "multisphere 5"),
      "< 11", 1.0),
+    ("smooth, box of 10,240 triangles, to spheres", ("mesh 10240", "smooth"), ("mesh 10240", "sphere"),
+     "<= 1.5", 1.0),
+    ("smooth, box of 100,000 triangles, to spheres", ("mesh 100000", "smooth"), ("mesh 100000", "sphere"),
+     "<= 1.0", 0.5),
     ("one rank to two, smooth, 30,000", ("bed 30000", "smooth"), ("bed 30000, 2 ranks", "smooth"),
      ">= 1.7", 1.9),
     *((f"smooth, {law}, bed of 1000, to spheres", (f"bed 1000, {law}", "smooth"), (f"bed 1000, {law}", "sphere"),

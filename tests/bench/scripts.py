@@ -9,6 +9,7 @@ from start import A, B, MASS, MOMENTS
 LAW = "model hertz/viscous tangential history/viscous"
 CLOCK = Path(__file__).parent / "clock.sh"
 SIDE = 0.029  # of the periodic base of the bed of 1000 (m)
+BOX = 2.0 * SIDE  # of the box with walls (m)
 INCLINE = 0.42  # sine of the slope of the flow: 25 degrees
 
 
@@ -136,14 +137,28 @@ def gravity(case):
     return f"fix gravity all gravity 9.81 vector {down}\n"
 
 
-def moving_bodies(shape, case, start):
-    """Script of a bed, a flow or a cloud up to its run."""
-    script = header(shape, "p p p" if case == "cloud" else "p p f")
+def box_of_planes(shape):
+    """Floor and sides of the box, as planes."""
+    planes = ("zplane 0.0", "xplane 0.0", f"xplane {BOX}", "yplane 0.0", f"yplane {BOX}")
+    return "".join(f"fix wall{k} all {shape.wall} primitive type 1 {plane}\n" for k, plane in enumerate(planes))
+
+
+def box_of_triangles(shape, mesh):
+    return (f"fix cad all mesh/surface file {mesh} type 1\n"
+            f"fix box all {shape.wall} mesh n_meshes 1 meshes cad\n")
+
+
+def moving_bodies(shape, case, start, mesh=None):
+    """Script of a bed, a flow, a cloud or a box (of planes or of the triangles of a file) up to its run."""
+    boundary = {"cloud": "p p p", "box": "f f f", "mesh": "f f f"}.get(case, "p p f")
+    script = header(shape, boundary)
     script += f"read_data {start}\n"
     script += forces(shape) + shape.subsphere_fix + gravity(case)
     script += "group grains type 1\n"
     if case == "flow":
         script += "group base type 2\nneigh_modify exclude group base base\n"
+    elif case in ("box", "mesh"):
+        script += box_of_triangles(shape, mesh) if mesh else box_of_planes(shape)
     elif case != "cloud":
         settings = f" contacts {shape.contacts}" if shape.kind == "multisphere" else ""
         script += f"fix floor all {shape.wall} primitive type 1 zplane 0.0{settings}\n"
@@ -160,7 +175,7 @@ def damped():
 def settle(shape, case, start, steps):
     """Script that lets a bed come to rest on the floor, or a flow come into motion; its last frame
     is settled.dump."""
-    script = moving_bodies(shape, case, start) + (damped() if case == "bed" else "")
+    script = moving_bodies(shape, case, start) + (damped() if case in ("bed", "box") else "")
     columns = "id type x y z vx vy vz omegax omegay omegaz"
     if shape.kind != "sphere":
         columns += " quat1 quat2 quat3 quat4"

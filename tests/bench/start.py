@@ -115,6 +115,25 @@ def lattice(shape, per_side, count, spacing):
     return particles, spacing * (cells[-1, 2] + 1)
 
 
+def box_mesh(side, height, cells):
+    """Floor and sides of a box in the corner of the axes, open above, as STL of 10 cells^2 triangles."""
+    squares = ((0, 1, 2, 0.0), (1, 2, 0, 0.0), (1, 2, 0, side), (2, 0, 1, 0.0), (2, 0, 1, side))
+    ticks = np.linspace(0.0, 1.0, cells + 1)
+    lines = ["solid box"]
+    for u, v, normal, at in squares:
+        size = [height if axis == 2 else side for axis in range(3)]
+        for u0, u1 in zip(ticks, ticks[1:]):
+            for v0, v1 in zip(ticks, ticks[1:]):
+                for corners in (((u0, v0), (u1, v0), (u1, v1)), ((u0, v0), (u1, v1), (u0, v1))):
+                    lines += ["facet normal 0 0 0", "outer loop"]
+                    for a, b in corners:
+                        place = [at] * 3
+                        place[u], place[v] = a * size[u], b * size[v]
+                        lines.append("vertex " + " ".join(repr(float(x)) for x in place))
+                    lines += ["endloop", "endfacet"]
+    return "\n".join(lines + ["endsolid box"]) + "\n"
+
+
 def tile(source, target, tiles, side):
     """Copies a data file `tiles` times in x and y, shifted by `side` (m) each."""
     head, rest = Path(source).read_text().split("\nAtoms\n\n")

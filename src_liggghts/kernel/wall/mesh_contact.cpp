@@ -68,15 +68,15 @@ bool is_part_of(const TriangleContact& c, const TriangleContact& d, double size)
 /// Of contacts from index `first` on, the deepest one of each wall.
 void keep_deepest(std::vector<TriangleContact>& contacts, std::size_t first, double size) {
   const auto begin = contacts.begin() + static_cast<std::ptrdiff_t>(first);
-  std::stable_sort(begin, contacts.end(), [](const TriangleContact& c, const TriangleContact& d) {
-    return c.overlap > d.overlap;
+  std::sort(begin, contacts.end(), [](const TriangleContact& c, const TriangleContact& d) {
+    return c.overlap != d.overlap ? c.overlap > d.overlap : c.triangle < d.triangle;
   });
-  auto kept = begin;
-  for (auto c = begin; c != contacts.end(); ++c)
-    if (std::none_of(begin, kept,
-                     [&](const TriangleContact& d) { return is_part_of(*c, d, size); }))
-      *kept++ = *c;
-  contacts.erase(kept, contacts.end());
+  for (auto count = contacts.end() - begin; count > 1; --count) {
+    const auto last = begin + (count - 1);
+    if (std::any_of(begin, last,
+                    [&](const TriangleContact& d) { return is_part_of(*last, d, size); }))
+      contacts.erase(last);
+  }
   std::sort(begin, contacts.end(), [](const TriangleContact& c, const TriangleContact& d) {
     return c.triangle < d.triangle;
   });
@@ -114,18 +114,16 @@ void keep_one_of_each_group(std::vector<TriangleContact>& contacts, std::size_t 
   contacts.insert(contacts.end(), kept.begin(), kept.end());
 }
 
+/// Whether a contact is at an edge or corner, but not its true one, or one that is not seen.
+bool is_false(const TriangleContact& c, const std::vector<Triangle>& triangles, const Vector3& eye,
+              double size) {
+  const bool face = c.feature == TriangleFeature::face;
+  return (!face && !is_supported(c, triangles, size)) || is_hidden(c, triangles, eye);
+}
+
 /// Reduces the contacts from index `first` on, all of one body, to those that count.
-void select(const std::vector<Triangle>& triangles, const SameSurface& same_surface,
-            const Vector3& eye, double size, std::size_t first,
+void select(const SameSurface& same_surface, double size, std::size_t first,
             std::vector<TriangleContact>& contacts) {
-  const auto begin = contacts.begin() + static_cast<std::ptrdiff_t>(first);
-  contacts.erase(std::remove_if(begin, contacts.end(),
-                                [&](const TriangleContact& c) {
-                                  const bool face = c.feature == TriangleFeature::face;
-                                  return (!face && !is_supported(c, triangles, size)) ||
-                                         is_hidden(c, triangles, eye);
-                                }),
-                 contacts.end());
   if (contacts.size() < first + 2)
     return;
   const std::vector<TriangleContact> all(contacts.begin() + static_cast<std::ptrdiff_t>(first),
@@ -168,6 +166,13 @@ bool reaches_plane(const Body& body, const TriangleContact& c,
   });
 }
 
+/// Whether a triangle lies in the plane of a shallow contact at a face: then it has none besides.
+bool is_in_plane(const Triangle& t, const TriangleContact& face, double size) {
+  return !face.deep && std::all_of(t.begin(), t.end(), [&](const Vector3& node) {
+    return std::fabs(dot(face.normal, node - face.foot)) <= wall_tolerance::on_triangle * size;
+  });
+}
+
 /// The contact that is always there when the body reaches into a triangle.
 template <class Body>
 void add_growing_contact(const Body& body, const std::vector<Triangle>& triangles,
@@ -194,21 +199,35 @@ void add_contacts(const Body& body, const Vector3& eye, double size,
                   const std::vector<Triangle>& triangles, const SameSurface& same_surface,
                   std::vector<TriangleContact>& contacts) {
   const std::size_t first = contacts.size();
+  std::vector<int> open; // triangles with edges and corners to look at
   bool near = false;
   for (std::size_t k = 0; k < triangles.size(); ++k) {
-    const TriangleContacts offered = find_triangle_contacts(body, triangles[k]);
+    TriangleContacts offered = find_face_contact(body, triangles[k]);
     near = near || offered.plane_is_reached;
-    const bool missed =
-        offered.face_is_missed && !reaches_plane(body, offered.face, triangles, size);
-    for (const TriangleContact& c : {missed ? TriangleContact{} : offered.face, offered.boundary})
-      if (c.feature != TriangleFeature::none) {
-        contacts.push_back(c);
-        contacts.back().triangle = static_cast<int>(k);
-      }
+    if (offered.boundary_is_open)
+      open.push_back(static_cast<int>(k));
+    offered.face.triangle = static_cast<int>(k);
+    if (offered.face.feature == TriangleFeature::none ||
+        (offered.face_is_missed && !reaches_plane(body, offered.face, triangles, size)) ||
+        is_false(offered.face, triangles, eye, size))
+      continue;
+    contacts.push_back(offered.face);
   }
   if (!near)
     return;
-  select(triangles, same_surface, eye, size, first, contacts);
+  const std::size_t first_boundary = contacts.size();
+  for (const int k : open) {
+    const Triangle& t = triangles[static_cast<std::size_t>(k)];
+    const auto begin = contacts.begin() + static_cast<std::ptrdiff_t>(first),
+               end = contacts.begin() + static_cast<std::ptrdiff_t>(first_boundary);
+    if (std::any_of(begin, end, [&](const TriangleContact& c) { return is_in_plane(t, c, size); }))
+      continue;
+    TriangleContact c = find_boundary_contact(body, t);
+    c.triangle = k;
+    if (c.feature != TriangleFeature::none && !is_false(c, triangles, eye, size))
+      contacts.push_back(c);
+  }
+  select(same_surface, size, first, contacts);
   if (contacts.size() == first)
     add_growing_contact(body, triangles, contacts);
 }

@@ -102,9 +102,17 @@ Shadow shadow_along(const EllipsoidShape& shape, const Vector3& direction) {
   const Vector3 a_first = shape.a_matrix * t.first, a_second = shape.a_matrix * t.second;
   const double xx = dot(t.first, a_first), xy = dot(t.first, a_second),
                yy = dot(t.second, a_second);
-  const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
-  const double cosine = std::cos(angle), sine = std::sin(angle);
-  const double major = 0.5 * (xx + yy) + std::hypot(0.5 * (xx - yy), xy);
+  // cosine >= 0 and sine of half the angle of (xx - yy, 2 xy), without cancellation
+  const double half = 0.5 * (xx - yy), radius = std::hypot(half, xy);
+  double cosine = 1.0, sine = 0.0;
+  if (half >= 0.0 && radius > 0.0) {
+    cosine = std::sqrt(0.5 * (1.0 + half / radius));
+    sine = 0.5 * xy / (radius * cosine);
+  } else if (radius > 0.0) {
+    sine = std::copysign(std::sqrt(0.5 * (1.0 - half / radius)), xy);
+    cosine = 0.5 * xy / (radius * sine);
+  }
+  const double major = 0.5 * (xx + yy) + radius;
   Shadow shadow;
   shadow.major = cosine * t.first + sine * t.second;
   shadow.minor = cosine * t.second - sine * t.first;

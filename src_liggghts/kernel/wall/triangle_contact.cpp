@@ -9,6 +9,9 @@ namespace ellipsoid {
 
 namespace {
 
+/// A plane so little out of reach (share of the squared distance) is left to find_plane_contact().
+constexpr double plane_rounding = 1e-14;
+
 Vector3 area_vector(const Triangle& t) { return cross(t[1] - t[0], t[2] - t[0]); }
 
 /// Whether a point of the triangle's plane lies on it, or outside by at most `margin` (length).
@@ -112,34 +115,41 @@ class Boundary {
 
 } // namespace
 
-TriangleContacts find_triangle_contacts(const EllipsoidBody& body, const Triangle& t) {
-  const Vector3 right = unit_normal(t);
+TriangleContacts find_face_contact(const EllipsoidBody& body, const Triangle& t) {
+  TriangleContacts contacts;
+  const Vector3 area = area_vector(t);
+  const double height = dot(area, t[0]); // times |area|
+  if (height * height > (1.0 + plane_rounding) * dot(area, body.shape.a_matrix * area))
+    return contacts;
+  const Vector3 right = normalized(area);
   const Vector3 normal = dot(right, t[0]) < 0.0 ? -right : right;
   const ContactGeometry plane = find_plane_contact(body.shape, t[0], normal);
-  TriangleContacts contacts;
   if (plane.status == ContactStatus::separated)
     return contacts;
-  contacts.plane_is_reached = true;
+  contacts.plane_is_reached = contacts.boundary_is_open = true;
   const Vector3 foot = plane.point - (0.5 * plane.overlap) * normal;
-  if (is_on(t, right, foot, wall_tolerance::on_triangle * extent(body))) {
-    contacts.face = contact_at(TriangleFeature::face, body, foot, normal);
-    contacts.face.point = plane.point;
-    contacts.face.overlap = plane.overlap;
-    if (!contacts.face.deep)
-      return contacts; // the only minimum (Blaschke; see is_settled in
-                       // ellipsoid_contact.cpp)
+  if (!is_on(t, right, foot, wall_tolerance::on_triangle * extent(body)))
+    return contacts;
+  contacts.face = contact_at(TriangleFeature::face, body, foot, normal);
+  contacts.face.point = plane.point;
+  contacts.face.overlap = plane.overlap;
+  // a shallow one is the only minimum (Blaschke; see is_settled in ellipsoid_contact.h)
+  contacts.boundary_is_open = contacts.face.deep;
+  if (contacts.face.deep)
     contacts.face_is_missed = !reaches(body, t);
-  }
+  return contacts;
+}
+
+TriangleContact find_boundary_contact(const EllipsoidBody& body, const Triangle& t) {
   Boundary boundary(body, t);
   for (std::size_t k = 0; k < 3; ++k) {
     boundary.add_edge(k);
     boundary.add_corner(k);
   }
-  contacts.boundary = boundary.best();
-  return contacts;
+  return boundary.best();
 }
 
-TriangleContacts find_triangle_contacts(const SphereBody& body, const Triangle& t) {
+TriangleContacts find_face_contact(const SphereBody& body, const Triangle& t) {
   const Vector3 right = unit_normal(t);
   const double height = dot(right, body.centre - t[0]);
   const bool above = body.beyond_wall ? dot(right, t[0]) < 0.0 : height > 0.0;
@@ -148,20 +158,38 @@ TriangleContacts find_triangle_contacts(const SphereBody& body, const Triangle& 
     return contacts;
   contacts.plane_is_reached = true;
   const Vector3 foot = body.centre - height * right;
-  if (is_on(t, right, foot, wall_tolerance::on_triangle * extent(body))) {
+  contacts.boundary_is_open = !is_on(t, right, foot, wall_tolerance::on_triangle * extent(body));
+  if (!contacts.boundary_is_open)
     contacts.face = contact_at(TriangleFeature::face, body, foot, above ? -right : right);
-    return contacts;
-  }
+  return contacts;
+}
+
+TriangleContact find_boundary_contact(const SphereBody& body, const Triangle& t) {
   const Vector3 near = nearest_point(t, body.centre), way = near - body.centre;
   const double distance = norm(way);
   if (!(distance < body.radius && distance > 0.0))
-    return contacts;
+    return {};
   const bool corner = std::any_of(t.begin(), t.end(), [&](const Vector3& node) {
     return norm(near - node) <= wall_tolerance::on_triangle * body.radius;
   });
-  contacts.boundary = contact_at(corner ? TriangleFeature::corner : TriangleFeature::edge, body,
-                                 near, (1.0 / distance) * way);
-  return contacts;
+  return contact_at(corner ? TriangleFeature::corner : TriangleFeature::edge, body, near,
+                    (1.0 / distance) * way);
+}
+
+double smallest_gap(const EllipsoidBody& body, const Triangle& t) {
+  const Vector3 near = nearest_point(t, {});
+  const double distance = norm(near);
+  return distance > 0.0 ? distance - support(body.shape, near) / distance : 0.0;
+}
+
+double smallest_gap(const ChainPose& pose, const Triangle& t) {
+  const Vector3 near = nearest_point(t, {});
+  const double distance = norm(near);
+  if (!(distance > 0.0))
+    return 0.0;
+  const double along_axis = std::fabs(dot(pose.axis, near)) / distance;
+  return distance -
+         pose.scale * (along_axis * pose.chain->half_length() + pose.chain->largest_radius());
 }
 
 TriangleContact find_growing_contact(const EllipsoidBody& body, const Triangle& t, double& growth) {
@@ -225,15 +253,15 @@ Vector3 barycentric(const Triangle& t, const Vector3& p) {
 }
 
 bool crosses(const Triangle& t, const Vector3& from, const Vector3& to, double first, double last) {
-  const Vector3 normal = unit_normal(t);
-  const double before = dot(normal, from - t[0]), after = dot(normal, to - t[0]);
+  const Vector3 area = area_vector(t);
+  const double before = dot(area, from - t[0]), after = dot(area, to - t[0]);
   if ((before > 0.0) == (after > 0.0))
     return false;
   const double share = before / (before - after);
   if (!(share > first && share < last))
     return false;
   const Vector3 place = from + share * (to - from);
-  return is_on(t, normal, place, wall_tolerance::on_triangle * norm(to - from));
+  return is_on(t, normalized(area), place, wall_tolerance::on_triangle * norm(to - from));
 }
 
 } // namespace ellipsoid

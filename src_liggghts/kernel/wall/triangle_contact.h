@@ -46,8 +46,7 @@ struct SphereBody {
   bool beyond_wall = false;
 };
 
-/// Minima of phi: at the face, and the smallest of those at edges and corners. The latter is left
-/// out where the former is certainly the only one.
+/// Minima of phi: at the face, and the smallest of those at edges and corners.
 struct TriangleContacts {
   TriangleContact face, boundary;
   /// The body reaches beyond the plane and its deepest point lies above the triangle, but it does
@@ -55,16 +54,25 @@ struct TriangleContacts {
   /// triangle.
   bool face_is_missed = false;
   bool plane_is_reached = false;
+  /// There may be a minimum at an edge or corner: the plane is reached, and that at the face is not
+  /// certainly the only one.
+  bool boundary_is_open = false;
 };
 
-/// The particle's centre tells which side of the plane is in front.
-TriangleContacts find_triangle_contacts(const EllipsoidBody& body, const Triangle& triangle);
-TriangleContacts find_triangle_contacts(const SphereBody& body, const Triangle& triangle);
+/// All but the boundary. The particle's centre tells which side of the plane is in front.
+TriangleContacts find_face_contact(const EllipsoidBody& body, const Triangle& triangle);
+TriangleContacts find_face_contact(const SphereBody& body, const Triangle& triangle);
+
+/// The boundary, where it is open.
+TriangleContact find_boundary_contact(const EllipsoidBody& body, const Triangle& triangle);
+TriangleContact find_boundary_contact(const SphereBody& body, const Triangle& triangle);
 
 /// The smaller of the minima.
 template <class Body>
 TriangleContact find_triangle_contact(const Body& body, const Triangle& triangle) {
-  const TriangleContacts c = find_triangle_contacts(body, triangle);
+  TriangleContacts c = find_face_contact(body, triangle);
+  if (c.boundary_is_open)
+    c.boundary = find_boundary_contact(body, triangle);
   const bool boundary =
       c.boundary.feature != TriangleFeature::none &&
       (c.face.feature == TriangleFeature::none || c.boundary.overlap < c.face.overlap);
@@ -86,6 +94,11 @@ template <class Body> bool reaches(const Body& body, const Triangle& triangle) {
   find_growing_contact(body, triangle, growth);
   return growth < 1.0;
 }
+
+/// Lower bound of the distance between body and triangle (length): that along the way from the
+/// body's centre to the nearest point of the triangle.
+double smallest_gap(const EllipsoidBody& body, const Triangle& triangle);
+double smallest_gap(const ChainPose& pose, const Triangle& triangle);
 
 /// Largest distance of the body's points from its own centre (length).
 double extent(const EllipsoidBody& body);
