@@ -62,6 +62,7 @@ void EllipsoidContactCaller::add_record(SurfacesIntersectData contact, ellipsoid
   }
   r.point = vector(contact.contact_point);
   r.normal = -vector(contact.en);
+  r.weight = weight_;
   r.force = weight_ * force;
   r.overlap = contact.deltan;
   r.reduced_radius = contact.reff;

@@ -37,6 +37,7 @@ struct ContactRecord {
   double overlap = 0.0;        ///< h (length)
   double reduced_radius = 0.0; ///< R of (19), of the spheres for multi-spheres (length)
   double area = 0.0;           ///< of the contact (length^2)
+  double weight = 1.0;         ///< of its force in the sum
 };
 
 /// Told apart from the host's own pair styles and walls by this base class: only callers that
@@ -74,6 +75,9 @@ class EllipsoidContactCaller {
   const std::vector<ContactRecord>& records_of(LAMMPS_NS::Compute& compute,
                                                const LAMMPS_NS::Update& update,
                                                LAMMPS_NS::Error& error) const;
+
+  /// Those of the last pass, wherever it was.
+  const std::vector<ContactRecord>& records() const { return records_; }
 
   /// Values, not references: the caller's own may then live in registers.
   /// @param[in] force on i, of all models

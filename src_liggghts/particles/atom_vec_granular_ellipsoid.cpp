@@ -6,6 +6,7 @@
 #include "ellipsoid/ellipsoid_properties.h"
 #include "ellipsoid_host.h"
 #include "error.h"
+#include "fix_check_particles_ellipsoid.h"
 #include "fix_property_atom.h"
 #include "motion/rigid_body.h"
 #include "multisphere/multisphere_template.h"
@@ -73,6 +74,11 @@ int small_integer(Error* error, const char* token, int largest, const char* colu
 AtomVecGranularEllipsoid::AtomVecGranularEllipsoid(LAMMPS* lmp) : AtomVecSuperquadric(lmp) {
   size_data_atom = data_columns;
   xcol_data = 3;
+}
+
+void AtomVecGranularEllipsoid::init() {
+  AtomVecSuperquadric::init();
+  FixCheckParticlesEllipsoid::make_sure(lmp);
 }
 
 void AtomVecGranularEllipsoid::expect_data_words(int words) {

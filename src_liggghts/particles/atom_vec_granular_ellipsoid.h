@@ -22,6 +22,7 @@ namespace LAMMPS_NS {
 class AtomVecGranularEllipsoid : public AtomVecSuperquadric {
  public:
   explicit AtomVecGranularEllipsoid(class LAMMPS* lmp);
+  void init() override;
 
   /// Atoms section: id type x y z a b c q0 q1 q2 q3 mass I1 I2 I3 [N spacing] [image flags].
   void data_atom(double* position, tagint image, char** values) override;

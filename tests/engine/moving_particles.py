@@ -7,7 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
-from _engine import COLUMNS, LAW, Particle, Setup, dump, quaternion_of, read_dump, rotation, run, vectors
+from _engine import (COLUMNS, LAW, Particle, Setup, dump, quaternion_of, read_dump, rotation, run, thermo,
+                     vectors)
+from _multisphere import chain
 
 AXES = (2.7e-3, 1.9e-3, 1.1e-3)
 MORE = COLUMNS + ["density", "radius", "inertiax", "inertiay", "inertiaz", "angmomx", "angmomy", "angmomz"]
@@ -147,13 +149,38 @@ class Prescribed(unittest.TestCase):
         out = self.run_on("fix go lower move wiggle 0 0.001 0 0.01 units box\n", 1000)
         self.assertAlmostEqual(out["y"][0], 0.001 * math.sin(2 * math.pi * 0.002 / 0.01), delta=1e-12)
 
-    def test_move_rotate_does_not_turn_the_body(self):
-        # of the host: centres go round, orientations stay. It says so itself for angular momenta only.
+    def test_move_rotate_turns_the_body(self):
         out = self.run_on("fix go lower move rotate 0.01 0 0 0 0 1 0.008 units box\n", 1000)
         self.assertAlmostEqual(out["x"][0], 0.01, delta=1e-9)
         self.assertAlmostEqual(out["y"][0], -0.01, delta=1e-9)
-        self.assertEqual(out["quat1"][0], 1.0)
+        self.assertAlmostEqual(out["quat1"][0], math.cos(math.pi / 4), delta=1e-12)  # a quarter turn
+        self.assertAlmostEqual(out["quat4"][0], math.sin(math.pi / 4), delta=1e-12)
         self.assertAlmostEqual(out["omegaz"][0], 2 * math.pi / 0.008, delta=1e-9)
+
+    def test_a_body_that_is_turned_meets_another(self):
+        """A long body at rest is turned upright below another: contact where the tip arrives."""
+        a, b = 3e-3, 1e-3
+        bodies = [Particle((0.0, 0.0, 0.0), (a, b, b)),
+                  Particle((0.0, 0.0, a + b - 2e-5), (a, b, b))]
+        setup = Setup(time_step=1e-6, pair=f"gran/ellipsoid {LAW} surface {self.SURFACE}")
+        run(setup.with_particles(bodies) + self.SUBSPHERES + "group lower id 1\ngroup upper id 2\n"
+            + "fix hold upper freeze\nfix go lower move rotate 0 0 0 0 1 0 0.008 units box\n"
+            + "compute c all contacts/ellipsoid\nthermo_style custom step c_c[1]\nthermo_modify norm no\nthermo 10\n"
+            + "run 2000\n")
+        rows = thermo("log.in.run", 2)
+        first = rows[rows[:, 1] > 0, 0][0]
+        angles = 2 * math.pi * rows[:, 0] * 1e-6 / 0.008
+        if self.SURFACE == "smooth":  # the tip passes the height of the other's lowest point
+            touches = np.hypot(a * np.sin(angles), b * np.cos(angles)) > a - 2e-5
+        else:  # any two of the spheres
+            x, radii = chain(a, b, 9)
+            lower = np.stack([np.outer(np.cos(angles), x), np.outer(np.sin(angles), x)], -1)
+            upper = np.stack([x, np.full(len(x), a + b - 2e-5)], -1)
+            distances = np.linalg.norm(lower[:, :, None] - upper, axis=-1)
+            touches = (distances < radii[:, None] + radii).any((1, 2))
+        expected = rows[touches, 0][0]
+        self.assertGreater(expected, 1500)
+        self.assertLessEqual(abs(first - expected), 20)
 
 
 class PrescribedChains(Prescribed):

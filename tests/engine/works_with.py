@@ -79,11 +79,13 @@ write_dump all custom {name}.final id {' '.join(COLUMNS[1:])} modify sort id &
 
 def complaint(surface, name, commands, expected, least=COUNT - 2):
     """What differs from the table, or nothing."""
+    if os.environ["ELLIPSOID_VTK"] != "1" and "vtk" in " ".join(commands):
+        expected = "refused: `Unknown dump style`"
     found = after(surface, name, commands)
     if isinstance(found, str):
         message = re.fullmatch(r"refused: `([^`]+)`", expected)
         return None if message and message.group(1) in found else f"{commands}, {surface}: {found}"
-    if not re.fullmatch("works|runs", expected):
+    if expected != "works":
         return f"{commands}, {surface}: runs, the table says {expected}"
     if len(found) < least or not np.isfinite(found).all():
         return f"{commands}, {surface}: {len(found)} particles, values {found}"
@@ -96,7 +98,7 @@ class WorksWith(unittest.TestCase):
         table = rows(PAGE.read_text())
         for number, (title, commands, outcomes) in enumerate(table):
             for surface, expected in outcomes.items():
-                if title in TOGETHER and expected in ("works", "runs"):
+                if title in TOGETHER and expected == "works":
                     together[surface] += commands
                 else:
                     jobs.append((surface, f"row{number}_{surface}", commands, expected))
@@ -106,7 +108,7 @@ class WorksWith(unittest.TestCase):
             per_atom = "dump used all custom 50 used id c_c3[1] c_c4 c_c10[1] c_c11[4] c_c12 c_c13"
             jobs.append((surface, f"together_{surface}",
                          commands + [f"thermo_style custom step {' '.join(used)}", per_atom],
-                         "runs"))
+                         "works"))
         with ThreadPoolExecutor(2) as pool:
             found = [c for c in pool.map(lambda job: complaint(*job), jobs) if c]
         print(f"{len(table)} rows, {len(jobs)} runs")
@@ -132,9 +134,6 @@ class WorksWith(unittest.TestCase):
             np.testing.assert_allclose(self.value(found, "inertiax"), 0.2 * 2000 * volume * 8e-6,
                                        rtol=1e-6)
             before = 0.2 * 1340 * volume * 8e-6
-            found = after(surface, f"mass_{surface}", ["set group all mass 1e-4"], 0)
-            np.testing.assert_allclose(self.value(found, "mass"), 1e-4)
-            np.testing.assert_allclose(self.value(found, "inertiax"), before, rtol=1e-6)
             found = after(surface, f"omega_{surface}", ["set group all omegax 2.0"], 0)
             np.testing.assert_allclose(self.value(found, "angmomx"), 2.0 * before, rtol=1e-6)
 

@@ -1,0 +1,219 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "command_watch.h"
+
+#include "atom.h"
+#include "ellipsoid_host.h"
+#include "error.h"
+#include "fix.h"
+#include "force.h"
+#include "group.h"
+#include "host_styles.h"
+#include "lammps.h"
+#include "modify.h"
+#include "spin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+
+using namespace LAMMPS_NS;
+using ellipsoid::Quaternion;
+using ellipsoid::Vector3;
+
+namespace ellipsoid_host {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+[[noreturn]] void refuse(LAMMPS* lmp, const std::string& what, const std::string& why) {
+  lmp->error->all(FLERR,
+                  (what + " does not work with atom_style granular/ellipsoid: it " + why).c_str());
+  std::abort(); // not reached: the call above ends the program
+}
+
+/// @param[in] line to write instead, or an empty string
+void refuse_style(LAMMPS* lmp, const std::string& kind, const std::string& style,
+                  const std::string& id = "", const std::string& line = "") {
+  const std::string why = why_unsuited(kind, style);
+  if (!why.empty())
+    refuse(lmp, kind + " " + style + (id.empty() ? "" : " (id " + id + ")"),
+           why + (line.empty() ? "" : "; write '" + line + "'"));
+}
+
+/// `words` of a `pair_style gran` or `fix wall/gran`, as they are written for ellipsoids.
+/// @param[in] at place of the style among them
+std::string converted(const std::string& command, const Words& words, std::size_t at) {
+  static const Words models{"model", "tangential", "cohesion", "rolling_friction", "surface"};
+  Words line(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(at));
+  line.push_back(words[at] + "/ellipsoid");
+  std::size_t k = at + 1;
+  for (; k + 1 < words.size() && std::count(models.begin(), models.end(), words[k]); k += 2)
+    if (words[k] != "surface")
+      line.insert(line.end(), {words[k], words[k + 1]});
+  line.insert(line.end(), {"surface", "smooth"});
+  line.insert(line.end(), words.begin() + static_cast<std::ptrdiff_t>(k), words.end());
+  return std::accumulate(
+      line.begin(), line.end(), command,
+      [](const std::string& text, const std::string& word) { return text + " " + word; });
+}
+
+/// `word` is unsuited as a part of a command, because.
+struct UnsuitedWord {
+  const char *command, *word, *reason_and_remedy;
+};
+
+constexpr UnsuitedWord unsuited_words[] = {
+    {"set", "diameter",
+     "changes the bounding sphere and not the semi-axes; use 'set ... shape a b c'"},
+    {"set", "volume", "changes neither semi-axes nor mass; use 'set ... shape a b c'"},
+    {"set", "aspect_ratio", "leaves the mass as it was; use 'set ... shape a b c'"},
+    {"set", "blockiness", "makes other bodies than ellipsoids; use 'set ... shape a b c'"},
+    {"set", "roundness", "makes other bodies than ellipsoids; use 'set ... shape a b c'"},
+    {"fix", "projection",
+     "takes the projection of bounding spheres for the area of contacts; use 'contact_area "
+     "overlap' or "
+     "'constant A'"},
+    {"atom_modify", "no", "hides the ids by which contacts are known; use 'atom_modify map array'"},
+};
+
+/// The host's fixes that it replaces by one of the same ID without harm; others look at the list of
+/// fixes while one of them is missing.
+constexpr const char* replaceable_fixes[] = {"addforce", "aveforce",  "deform",   "freeze",
+                                             "gravity",  "lineforce", "momentum", "planeforce",
+                                             "print",    "setforce",  "viscous"};
+
+void check_fix(LAMMPS* lmp, const Words& words) {
+  if (words.size() < 3)
+    return;
+  refuse_style(lmp, "fix", words[2], words[0],
+               words[2] == "wall/gran" ? converted("fix", words, 2) : "");
+  if (lmp->modify->find_fix(words[0].c_str()) < 0)
+    return;
+  for (const char* style : replaceable_fixes)
+    if (words[2] == style)
+      return;
+  lmp->error->all(FLERR, ("fix " + words[2] + " (id " + words[0] +
+                          "): a fix of this ID exists; give another "
+                          "ID, or 'unfix " +
+                          words[0] + "' before")
+                             .c_str());
+}
+
+/// `fix move` and `fix insert/stream` count time in steps.
+void check_time(LAMMPS* lmp, const std::string& command) {
+  const Modify& modify = *lmp->modify;
+  for (int k = 0; k < modify.nfix; ++k)
+    if (std::string(modify.fix[k]->style) == "move")
+      lmp->error->all(FLERR, ("command " + command + ": fix move (id " + modify.fix[k]->id +
+                              ") counts its time in steps, its particles would jump; 'unfix' it "
+                              "before, and give it again after")
+                                 .c_str());
+}
+
+void check_command(LAMMPS* lmp, const std::string& command, const Words& words) {
+  refuse_style(lmp, "command", command);
+  if (command == "fix")
+    check_fix(lmp, words);
+  else if ((command == "compute" || command == "dump") && words.size() > 2)
+    refuse_style(lmp, command, words[2], words[0]);
+  else if (command == "region" && words.size() > 1)
+    refuse_style(lmp, command, words[1], words[0]);
+  else if (command == "pair_style" && !words.empty())
+    refuse_style(lmp, command, words[0], "",
+                 words[0] == "gran" ? converted(command, words, 0) : "");
+  else if (command == "run_style" && !words.empty())
+    refuse_style(lmp, command, words[0]);
+  else if (command == "reset_timestep" || command == "timestep")
+    check_time(lmp, command);
+  for (const UnsuitedWord& unsuited : unsuited_words)
+    if (command == unsuited.command &&
+        std::find(words.begin(), words.end(), unsuited.word) != words.end())
+      refuse(lmp, command + " ... " + unsuited.word, unsuited.reason_and_remedy);
+}
+
+/// What was given before the atom style, or comes from a restart file.
+void check_present_styles(LAMMPS* lmp) {
+  if (lmp->force->pair_style)
+    refuse_style(lmp, "pair_style", lmp->force->pair_style);
+}
+
+/// The host's superquadrics have other shapes, and nobody watches them.
+void check_atom_style(LAMMPS* lmp) {
+  const char* const pair = lmp->force->pair_style;
+  if (pair && std::string(pair) == "gran/ellipsoid" && !are_ellipsoids(lmp))
+    lmp->error->all(FLERR, "pair_style gran/ellipsoid needs particles with shape: use atom_style "
+                           "granular/ellipsoid");
+}
+
+} // namespace
+
+CommandWatch::CommandWatch(LAMMPS* lmp, const char* command, int count, char** arguments)
+    : lmp_(lmp), command_(command), arguments_(arguments, arguments + count) {
+  if (command_ == "atom_style" && count > 1 && arguments_[0] == "hybrid" &&
+      has_argument("granular/ellipsoid"))
+    lmp->error->all(FLERR, "atom_style hybrid does not work with granular/ellipsoid, whose columns "
+                           "it does not know; use 'atom_style granular/ellipsoid'");
+  if (command_ == "run")
+    check_atom_style(lmp);
+  if (!are_ellipsoids(lmp))
+    return;
+  check_command(lmp, command_, arguments_);
+  if (command_ == "run" || command_ == "write_data" || command_ == "write_restart")
+    check_present_styles(lmp);
+  if (command_ == "set")
+    masses_.assign(lmp->atom->rmass, lmp->atom->rmass + lmp->atom->nlocal);
+}
+
+CommandWatch::~CommandWatch() {
+  if (!are_ellipsoids(lmp_))
+    return;
+  if (command_ == "set")
+    complete_set();
+  else if (command_ == "displace_atoms" && arguments_.size() > 8 && arguments_[1] == "rotate")
+    turn_bodies();
+  else if (command_ == "velocity") {
+    const bool sets_momentum = arguments_[1] == "setAngular";
+    for (int i = 0; i < lmp_->atom->nlocal; ++i)
+      sets_momentum ? follow_angular_momentum(*lmp_->atom, i) : follow_omega(*lmp_->atom, i);
+  }
+}
+
+bool CommandWatch::has_argument(const std::string& word) const {
+  return std::find(arguments_.begin(), arguments_.end(), word) != arguments_.end();
+}
+
+/// Omega is kept, whatever becomes of moments and orientation. (set changes no number of
+/// particles.)
+void CommandWatch::complete_set() {
+  Atom& atom = *lmp_->atom;
+  const bool scales = has_argument("mass") && !has_argument("inertiax") &&
+                      !has_argument("inertiay") && !has_argument("inertiaz");
+  for (int i = 0; i < atom.nlocal; ++i) {
+    if (scales && atom.rmass[i] != masses_[static_cast<std::size_t>(i)]) {
+      const double factor = atom.rmass[i] / masses_[static_cast<std::size_t>(i)];
+      store(factor * vector(atom.inertia[i]), atom.inertia[i]);
+      atom.density[i] = atom.rmass[i] / atom.volume[i];
+    }
+    follow_omega(atom, i);
+  }
+}
+
+/// Of `displace_atoms GROUP rotate Px Py Pz Rx Ry Rz degrees`: the host has moved the centres.
+void CommandWatch::turn_bodies() const {
+  Atom& atom = *lmp_->atom;
+  double numbers[7];
+  for (std::size_t k = 0; k < 7; ++k)
+    numbers[k] = std::strtod(arguments_[2 + k].c_str(), nullptr); // the host has checked them
+  const Quaternion turn =
+      turn_about({numbers[3], numbers[4], numbers[5]}, numbers[6] * M_PI / 180.0);
+  const int group = lmp_->group->bitmask[lmp_->group->find(arguments_[0].c_str())];
+  for (int i = 0; i < atom.nlocal; ++i)
+    if (atom.mask[i] & group) {
+      store(normalized(turn * quaternion(atom.quaternion[i])), atom.quaternion[i]);
+      follow_omega(atom, i);
+    }
+}
+
+} // namespace ellipsoid_host

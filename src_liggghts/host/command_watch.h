@@ -1,0 +1,42 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Looks at each command of an input script before and after the host executes it: refuses what is
+// unsuited for ellipsoids, and completes what the host's commands leave undone on them.
+#ifndef COMMAND_WATCH_H_
+#define COMMAND_WATCH_H_
+
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace ellipsoid_host {
+
+/// Lives as long as the host executes the command. Does nothing without atom_style
+/// granular/ellipsoid.
+class CommandWatch {
+ public:
+  /// Stops with one line where the command does not work with ellipsoids.
+  CommandWatch(LAMMPS_NS::LAMMPS* lmp, const char* command, int count, char** arguments);
+  /// Completes `set`, `velocity` and `displace_atoms`: omega and angular momentum agree, bodies
+  /// turn with their centres, moments follow the mass.
+  ~CommandWatch();
+  CommandWatch(const CommandWatch&) = delete;
+  CommandWatch& operator=(const CommandWatch&) = delete;
+
+ private:
+  LAMMPS_NS::LAMMPS* lmp_;
+  std::string command_;
+  std::vector<std::string> arguments_;
+  std::vector<double> masses_; // before `set ... mass`, of the particles of this rank
+
+  bool has_argument(const std::string& word) const;
+  void complete_set();
+  void turn_bodies() const;
+};
+
+} // namespace ellipsoid_host
+
+#endif

@@ -1,0 +1,23 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#ifndef BUOYANCY_H_
+#define BUOYANCY_H_
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace ellipsoid_host {
+
+/// Called by the patched fix buoyancy: adds force and torque of a liquid at rest on particle i.
+/// @param[in] dim   axis of gravity: 0, 1, 2
+/// @param[in] level of the liquid's surface along it (length)
+/// @param[in] down  -1 or 1: where gravity points
+/// @param[in] weight of the liquid per volume
+/// @param[in,out] total force on all particles
+/// @return false, and nothing is done, where particles are no ellipsoids
+bool add_buoyancy(LAMMPS_NS::LAMMPS* lmp, int i, int dim, double level, double down, double weight,
+                  double* total);
+
+} // namespace ellipsoid_host
+
+#endif
