@@ -75,6 +75,8 @@ constexpr UnsuitedWord unsuited_words[] = {
      "takes the projection of bounding spheres for the area of contacts; use 'contact_area "
      "overlap' or "
      "'constant A'"},
+    {"thermo_style", "erotate",
+     "does not know ellipsoids; use 'c_ID' of 'compute ID all erotate/ellipsoid'"},
     {"atom_modify", "no", "hides the ids by which contacts are known; use 'atom_modify map array'"},
 };
 

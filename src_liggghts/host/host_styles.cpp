@@ -159,7 +159,10 @@ const std::vector<UnsuitedStyles>& unsuited_styles() {
       {"command",
        {"replicate"},
        "copies spheres only; use 'fix insert/pack', or write the particles to a data file"},
-      {"command", {"delete_bonds"}, "needs bonds, which ellipsoids do not have; remove it"},
+      {"command",
+       {"delete_bonds", "angle_style", "bond_style", "dihedral_style", "improper_style",
+        "kspace_style"},
+       "needs bonds or charges, which ellipsoids do not have; remove it"},
   };
   return table;
 }

@@ -98,7 +98,7 @@ double rotational_energy_of(LAMMPS* lmp, int groupbit, int region) {
 
 SpinOfGroup::~SpinOfGroup() {
   Vector3 spin;
-  for_each_of(lmp_, groupbit_, region_, [&](int i) { spin += vector(lmp_->atom->angmom[i]); });
+  for_each_of(lmp_, groupbit_, region_, [&](int i) { spin += vector(of_each_[i]); });
   double mine[3], all[3];
   store(spin, mine);
   MPI_Allreduce(mine, all, 3, MPI_DOUBLE, MPI_SUM, lmp_->world);

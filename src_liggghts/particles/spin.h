@@ -37,17 +37,19 @@ void turn_with(LAMMPS_NS::LAMMPS* lmp, int groupbit, double angular_velocity, co
 double rotational_energy_of(LAMMPS_NS::LAMMPS* lmp, int groupbit, int region);
 
 /// Adds, at the end of its life, what the bodies themselves have of the angular momentum of a
-/// group.
+/// group, or of the torque on it.
 class SpinOfGroup {
  public:
-  /// @param[in] region its number, -1: everywhere
-  SpinOfGroup(LAMMPS_NS::LAMMPS* lmp, int groupbit, int region, double* sum)
-      : lmp_(lmp), groupbit_(groupbit), region_(region), sum_(sum) {}
+  /// @param[in] region  its number, -1: everywhere
+  /// @param[in] of_each angular momenta or torques, per particle
+  SpinOfGroup(LAMMPS_NS::LAMMPS* lmp, int groupbit, int region, double** of_each, double* sum)
+      : lmp_(lmp), groupbit_(groupbit), region_(region), of_each_(of_each), sum_(sum) {}
   ~SpinOfGroup();
 
  private:
   LAMMPS_NS::LAMMPS* lmp_;
   int groupbit_, region_;
+  double** of_each_;
   double* sum_;
 };
 

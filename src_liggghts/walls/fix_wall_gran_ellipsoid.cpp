@@ -270,11 +270,14 @@ void FixWallGranEllipsoid::apply(int i, const WallContact& contact, double* hist
         wall_velocity);
   set_spheres(contact.sphere, -1, weight);
   const Vector3 force = vector(f_[i]), torque = vector(atom->torque[i]);
+  const Heat heat = present_heat(i);
   impl->compute_force(
       this, data, true, wall_velocity, nullptr, mesh ? meshes_.near(contact.triangle).mesh : 0,
       mesh ? mesh->triMesh() : nullptr, mesh ? meshes_.near(contact.triangle).index : 0);
   if (weight != 1.0)
     weigh(i, force, torque, weight);
+  if (heattransfer_flag_)
+    weigh_heat(i, heat, contact, weight);
   if (mesh && computeflag_)
     report_to_mesh(i, contact, vector(f_[i]) - force, wall_velocity);
 }
@@ -298,6 +301,23 @@ void FixWallGranEllipsoid::weigh(int i, const Vector3& force, const Vector3& tor
   store(torque + weight * (vector(atom->torque[i]) - torque), atom->torque[i]);
   if (store_force_)
     store(vector(wallforce_[i]) + excess, wallforce_[i]);
+}
+
+FixWallGranEllipsoid::Heat FixWallGranEllipsoid::present_heat(int i) const {
+  return heattransfer_flag_ ? Heat{fppa_hf->vector_atom[i], Q_add} : Heat{};
+}
+
+/// The host's conductance goes by the square root of the area in which a sphere and a plane
+/// overlap; the contact's models may have put the sphere of an elliptic contact.
+void FixWallGranEllipsoid::weigh_heat(int i, const Heat& before, const WallContact& contact,
+                                      double weight) {
+  constexpr int by_overlap = 0; // CONDUCTION_CONTACT_AREA_OVERLAP of the host's fix_wall_gran.cpp
+  const double share = area_calculation_mode_ == by_overlap
+                           ? weight * std::sqrt(contact.reduced_radius / curvature_radius_i)
+                           : weight;
+  double& flux = fppa_hf->vector_atom[i];
+  flux = before.flux + share * (flux - before.flux);
+  Q_add = before.total + share * (Q_add - before.total);
 }
 
 /// Force and torque on the mesh, stress and wear of the triangle, drive of servo walls.

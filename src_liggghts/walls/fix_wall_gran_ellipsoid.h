@@ -60,6 +60,13 @@ class FixWallGranEllipsoid : public FixWallGran,
                         LCM::SurfacesIntersectData& data);
   void weigh(int particle, const ellipsoid::Vector3& force, const ellipsoid::Vector3& torque,
              double weight);
+  /// Into a particle (power), and from the whole wall so far (energy).
+  struct Heat {
+    double flux = 0.0, total = 0.0;
+  };
+  Heat present_heat(int particle) const;
+  void weigh_heat(int particle, const Heat& before, const ellipsoid::WallContact& contact,
+                  double weight);
   void report_to_mesh(int particle, const ellipsoid::WallContact& contact,
                       const ellipsoid::Vector3& force, double* wall_velocity);
 };

@@ -94,6 +94,15 @@ class Pairs(unittest.TestCase):
         np.testing.assert_allclose(found, np.array([-1.0, 1.0]) * self.expected("crossed") * math.sqrt(softer),
                                    rtol=2e-3)
 
+    def test_temperatures_follow_the_fluxes(self):
+        bodies, steps = self.SCENES["crossed"][0], 200
+        text = script(bodies, name="follow").replace("run 1\n", f"run {steps}\n").replace(
+            "f_heatFlux", "f_Temp")
+        run(text, name="in.follow")
+        temperatures = np.loadtxt("follow.dump", skiprows=9)[:, 1]
+        change = self.expected("crossed") * steps * 1e-9 / (10.0 * bodies[0].mass)  # capacity 10 J/(kg K)
+        np.testing.assert_allclose(temperatures - TEMPERATURES[:2], [-change, change], rtol=1e-2)
+
     def test_projection_is_refused(self):
         for text in (script(self.SCENES["crossed"][0], options="contact_area projection"),
                      script(self.SCENES["crossed"][0], extra=f"fix w all wall/gran/ellipsoid {LAW} surface "
@@ -156,6 +165,22 @@ class Walls(unittest.TestCase):
         areas = [2.0 * math.pi * r * h for _, h, r, _ in wall_contacts(chain, 17, (0, 0, 0), (0, 0, -1.0))]
         self.check(plane.replace("smooth", "multisphere"), "multisphere", chain, areas,
                    "fix subspheres all property/atom subspheres scalar yes yes no 17")
+
+    def test_settings_of_the_models_change_no_area(self):
+        """An elliptic contact has another radius in the law, and averaged contacts share their force."""
+        body = Particle((0, 0, C - OVERLAP), (A, B, C), type=1)
+        wall = (f"fix w all wall/gran/ellipsoid {LAW} surface smooth primitive type 2 zplane 0.0 "
+                f"temperature {self.HOT} ellipticalContact on")
+        self.check(wall, "smooth ellipticalContact on", body, [2.0 * math.pi * A * B / C * OVERLAP])
+        chain = Particle((0, 0, C - 5e-5), (A, C, C), type=1)
+        contacts = wall_contacts(chain, 17, (0, 0, 0), (0, 0, -1.0))
+        self.assertGreater(len(contacts), 2)
+        mean = [2.0 * math.pi * r * h / len(contacts) ** 2 for _, h, r, _ in contacts]
+        wall = wall.replace("smooth", "multisphere").replace("ellipticalContact on", "multicontact average")
+        found = fluxes([chain], "shared", surface="surface multisphere multicontact average", extra="fix subspheres "
+                       "all property/atom subspheres scalar yes yes no 17\n" + wall)
+        expected = sum(map(conductance, mean)) * (self.HOT - TEMPERATURES[0])
+        np.testing.assert_allclose(found, [expected], rtol=2e-2)  # overlap over radius of the spheres
 
 
 if __name__ == "__main__":

@@ -110,9 +110,12 @@ class Groups(unittest.TestCase):
     def test_group_functions_count_the_spin(self):
         names = ([f"angmom(all,{k})" for k in "xyz"] + [f"inertia(all,{k})" for k in
                                                         ("xx", "yy", "zz", "xy", "yz", "xz")]
-                 + [f"omega(all,{k})" for k in "xyz"] + ["ke(all)", "ke(all,whole)", "angmom(all,x,whole)"])
+                 + [f"omega(all,{k})" for k in "xyz"] + ["ke(all)", "ke(all,whole)", "angmom(all,x,whole)"]
+                 + [f"torque(all,{k})" for k in "xyz"] + ["torque(all,y,whole)"])
         variables = "".join(f"variable v{k} equal {name}\n" for k, name in enumerate(names))
-        commands = ("region whole block INF INF INF INF INF INF units box\n" + variables
+        # the liquid's force acts beside the centres of bodies in its surface
+        commands = ("fix g all gravity 9.81 vector 0 0 -1\nfix b all buoyancy dim z level 0.0005 density 1000\n"
+                    "region whole block INF INF INF INF INF INF units box\n" + variables
                     + "thermo_style custom step " + " ".join(f"v_v{k}" for k in range(len(names)))
                     + '\nthermo_modify format float %.15g\n')
         for ranks in (1, 2):
@@ -124,8 +127,11 @@ class Groups(unittest.TestCase):
             v = vectors(c, "vx", "vy", "vz")
             energy = 0.5 * (c["mass"] * (v ** 2).sum(-1)).sum() + 0.5 * np.einsum(
                 "ni,nij,nj", omegas(c), tensors(c), omegas(c))
+            r = vectors(c, "x", "y", "z") - c["mass"] @ vectors(c, "x", "y", "z") / c["mass"].sum()
+            torque = (np.cross(r, vectors(c, "fx", "fy", "fz")) + vectors(c, "tqx", "tqy", "tqz")).sum(0)
+            self.assertGreater(np.abs(c["tqy"]).max(), 1e-3 * np.abs(torque[1]))
             np.testing.assert_allclose(row, [*momentum, *tensor, *np.linalg.solve(inertia, momentum),
-                                             energy, energy, momentum[0]], rtol=1e-9)
+                                             energy, energy, momentum[0], *torque, torque[1]], rtol=1e-9)
 
     def test_angular_momentum_is_taken_off(self):
         before, _ = self.total(after("", "spinning"))
