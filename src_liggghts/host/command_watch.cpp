@@ -19,7 +19,6 @@
 
 using namespace LAMMPS_NS;
 using ellipsoid::Quaternion;
-using ellipsoid::Vector3;
 
 namespace ellipsoid_host {
 
@@ -96,11 +95,12 @@ void check_fix(LAMMPS* lmp, const Words& words) {
   for (const char* style : replaceable_fixes)
     if (words[2] == style)
       return;
-  lmp->error->all(FLERR, ("fix " + words[2] + " (id " + words[0] +
-                          "): a fix of this ID exists; give another "
-                          "ID, or 'unfix " +
-                          words[0] + "' before")
-                             .c_str());
+  std::string message = "fix " + words[2] + " (id " + words[0] +
+                        "): a fix of this ID exists; give another ID, or 'unfix " + words[0] +
+                        "' before";
+  if (words[2].rfind("mesh/surface", 0) == 0)
+    message += "; where a wall uses it, unfix fix wall/gran first";
+  lmp->error->all(FLERR, message.c_str());
 }
 
 /// `fix move` and `fix insert/stream` count time in steps.
