@@ -19,6 +19,7 @@
 # Fields in front of a patch: `Why:`, `Kind:`, and, each as often as needed,
 #   Mended-when: FILE: REGEX         the patch counts as in where all such rules hold
 #   Needless-without: FILE: REGEX    nothing is to be done where no line of FILE is like this
+#   Only-with: FILE: REGEX           a variant is for trees where a line of FILE is like this
 set -euo pipefail
 
 readonly known_hosts="LIGGGHTS-PUBLIC 3.8.0, LIGGGHTS-INL 4.0.0, LIGGGHTS-PFM 24.01"
@@ -153,11 +154,15 @@ look_at() {
   state=conflict
 }
 
-# list_files NAME: the patch of this name, then its variants
+# list_files NAME: those variants of the patch that are for such a tree, then the patch itself
 list_files() {
-  local file
-  for file in "$series_folder/$1.patch" "$series_folder/$1".*.patch; do
-    [[ ! -f $file ]] || echo "$file"
+  local file rule
+  for file in "$series_folder/$1".*.patch "$series_folder/$1.patch"; do
+    [[ -f $file ]] || continue
+    rule=$(header_value "$file" Only-with)
+    if [[ -z $rule ]] || has_line "$rule"; then
+      echo "$file"
+    fi
   done
 }
 
@@ -165,7 +170,7 @@ list_files() {
 list_series() {
   local name
   for name in $(cd "$series_folder" && ls | sed -nE 's/^([0-9]{4}-[^.]+)\..*patch$/\1/p' | sort -u); do
-    if [[ -z $kind ]] || header_value "$(list_files "$name" | head -n 1)" Kind | grep -qx "$kind"; then
+    if [[ -z $kind ]] || header_value "$(list_files "$name" | tail -n 1)" Kind | grep -qx "$kind"; then
       echo "$name"
     fi
   done
@@ -174,6 +179,10 @@ list_series() {
 apply_series() {
   local name file
   local -a missing=()
+  [[ $host != LIGGGHTS-PFM* ]] ||
+    fail "$host is known, but its contact models have the interface of an older LIGGGHTS that this" \
+      "package does not compile with (see src_liggghts/doc/hosts.md);" \
+      "use LIGGGHTS-PUBLIC 3.8.0 or LIGGGHTS-INL 4.0.0"
   for name in "${series[@]}"; do
     look_at "$name"
     case $state in

@@ -39,7 +39,7 @@ mend_as_upstream() {
   sed -i -E 's|(numneigh) > 0\)|\1)|' "$1/src/finish.cpp"
 }
 
-# made_tree FOLDER BRANCH VERSION [VARIANT]: a small tree that the series fits
+# made_tree FOLDER BRANCH VERSION [VARIANT...]: a small tree that the series fits
 made_tree() {
   rm -rf "$1"
   python3 "$ELLIPSOID_SOURCE/tests/patches/_made_tree.py" "$@"

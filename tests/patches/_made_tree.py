@@ -1,7 +1,7 @@
 """Makes a small source tree that the patch series fits, without any code of a host: of each file that
 is patched only the lines that the patches stand on, at their places, the rest filled up.
 
-    python3 _made_tree.py FOLDER BRANCH VERSION [VARIANT]
+    python3 _made_tree.py FOLDER BRANCH VERSION [VARIANT...]
 """
 import os
 import pathlib
@@ -13,12 +13,12 @@ EXPECTED = ("Make.sh lammps.cpp contact_models.h pair_gran_proxy.h fix_wall_gran
             "fix_contact_history.h atom_vec_superquadric.h").split()
 
 
-def series(variant):
-    """The patches, in the form of the variant where there is one."""
+def series(variants):
+    """The patches, in the form of one of the variants where there is one."""
     for base in sorted(PATCHES.glob("[0-9]*.patch")):
         if base.name.count(".") == 1:
-            own = base.with_suffix(f".{variant}.patch")
-            yield own if own.exists() else base
+            own = [base.with_suffix(f".{variant}.patch") for variant in variants]
+            yield next((file for file in own if file.exists()), base)
 
 
 def hunks(patch):
@@ -35,9 +35,9 @@ def hunks(patch):
     return found
 
 
-def write_tree(folder, branch, version, variant):
+def write_tree(folder, branch, version, *variants):
     places = {}
-    for patch in series(variant):
+    for patch in series(variants):
         for file, first, old in hunks(patch):
             places.setdefault(file, []).append((first, old))
     for file, of_file in places.items():
@@ -55,4 +55,4 @@ def write_tree(folder, branch, version, variant):
     (folder / "src/version_liggghts_branch.txt").write_text(branch + "\n")
 
 
-write_tree(pathlib.Path(sys.argv[1]), *sys.argv[2:4], (sys.argv[4:] or [""])[0])
+write_tree(pathlib.Path(sys.argv[1]), *sys.argv[2:])
