@@ -16,14 +16,16 @@ using ContactModels::ForceData;
 using ContactModels::SurfacesIntersectData;
 
 void ContactReports::begin_step(bool for_list) {
-  for_list_ = pair_.cpl() && for_list;
+  for_list_ = for_list;
+  if (for_list_)
+    pair_.begin_list();
   are_wanted_ = for_list_ || pair_.evflag || pair_.store_sum_normal_force() ||
                 pair_.storeContactForces() || pair_.storeContactForcesStress();
 }
 
 void ContactReports::end_step() {
   if (for_list_)
-    pair_.cpl_pair_finalize();
+    pair_.end_list();
   if (pair_.storeContactForces())
     pair_.fix_contact_forces()->do_forward_comm();
   if (pair_.storeContactForcesStress())
@@ -40,10 +42,8 @@ void ContactReports::add(SurfacesIntersectData contact, const ForceData& force_i
     if (owns_j)
       *pair_.get_sum_normal_force_ptr(j) += normal_force;
   }
-  if (for_list_) {
-    ForceData same = force_i; // the host's signature
-    pair_.cpl_add_pair(contact, same);
-  }
+  if (for_list_)
+    pair_.add_to_list(contact, force_i, force_j);
   if (pair_.evflag)
     pair_.ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, 0.0, 0.0, f[0], f[1], f[2],
                        contact.delta[0], contact.delta[1], contact.delta[2]);

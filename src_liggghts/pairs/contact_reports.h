@@ -20,7 +20,7 @@ class ContactReports : private LAMMPS_NS::Pointers {
   ContactReports(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::PairGranEllipsoid& pair)
       : Pointers(lmp), pair_(pair) {}
 
-  /// @param[in] for_list compute pair/gran/local of the host may list the contacts of this step
+  /// @param[in] for_list a command of the host lists the contacts of this step
   void begin_step(bool for_list);
   void end_step();
   /// Whether somebody wants to know of each contact in this step.

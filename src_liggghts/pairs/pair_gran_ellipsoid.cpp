@@ -69,7 +69,7 @@ SurfaceContacts* make_contacts(LAMMPS* lmp, PairGranEllipsoid& pair, int64_t var
 
 } // namespace
 
-PairGranEllipsoid::PairGranEllipsoid(LAMMPS* lmp) : PairGran(lmp) {}
+PairGranEllipsoid::PairGranEllipsoid(LAMMPS* lmp) : HostPairStyle(lmp) {}
 
 PairGranEllipsoid::~PairGranEllipsoid() = default;
 
@@ -120,7 +120,7 @@ void PairGranEllipsoid::settings(int narg, char** arg) {
   if (models_)
     error->all(FLERR, "pair_style gran/ellipsoid is given twice; give it once per run, or 'clear' "
                       "before the second");
-  const int64_t variant = ContactModels::Factory::select(narg, arg, force->custom_contact_models);
+  const int64_t variant = ellipsoid_host::select_models(narg, arg, lmp, force);
   if (variant == -1)
     error->all(FLERR, "pair_style gran/ellipsoid: unknown contact model; allowed are the host's "
                       "and this package's, in the order model, tangential, cohesion, "
@@ -197,14 +197,14 @@ void PairGranEllipsoid::check_pages() {
                         .c_str());
 }
 
-void PairGranEllipsoid::compute_force(int eflag, int vflag, int addflag) {
+void PairGranEllipsoid::add_forces(int eflag, int vflag, bool for_list) {
   if (computeflag_)
     begin_records(update->ntimestep);
   if (eflag || vflag)
     ev_setup(eflag, vflag);
   else
     evflag = vflag_fdotr = 0;
-  forces_->begin_step(addflag);
+  forces_->begin_step(for_list);
   const ContactCounts counts = contacts_->compute(*forces_, computeflag_ && shearupdate_);
   forces_->end_step();
   if (!computeflag_)
@@ -218,7 +218,7 @@ void PairGranEllipsoid::write_restart_settings(FILE* file) {
   fwrite(&hash, sizeof(hash), 1, file);
 }
 
-void PairGranEllipsoid::read_restart_settings(FILE* file, const int, const int) {
+void PairGranEllipsoid::read_settings_again(FILE* file) {
   int64_t variant = -1;
   if (comm->me == 0 && fread(&variant, sizeof(variant), 1, file) != 1)
     error->one(FLERR, "The restart file ends within pair_style gran/ellipsoid; use a whole file");

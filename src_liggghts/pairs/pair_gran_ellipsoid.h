@@ -11,7 +11,7 @@ PairStyle(gran/ellipsoid,PairGranEllipsoid)
 
 #include "contact_counts.h"
 #include "ellipsoid_contact_caller.h"
-#include "pair_gran.h"
+#include "host_pair.h"
 
 #include <memory>
 #include <string>
@@ -26,7 +26,8 @@ class HostModels;
 
 namespace LAMMPS_NS {
 
-class PairGranEllipsoid : public PairGran, public LIGGGHTS::ContactModels::EllipsoidContactCaller {
+class PairGranEllipsoid : public ellipsoid_host::HostPairStyle,
+                          public LIGGGHTS::ContactModels::EllipsoidContactCaller {
  public:
   explicit PairGranEllipsoid(class LAMMPS* lmp);
   ~PairGranEllipsoid() override;
@@ -35,7 +36,6 @@ class PairGranEllipsoid : public PairGran, public LIGGGHTS::ContactModels::Ellip
   void init_style() override;
   void init_granular() override;
   void write_restart_settings(FILE* file) override;
-  void read_restart_settings(FILE* file, const int major, const int minor) override;
   double stressStrainExponent() override;
   bool contact_match(const std::string type, const std::string model) override;
   int64_t hashcode() override;
@@ -48,7 +48,8 @@ class PairGranEllipsoid : public PairGran, public LIGGGHTS::ContactModels::Ellip
   int history_offset(const std::string& name) const;
 
  protected:
-  void compute_force(int eflag, int vflag, int addflag) override;
+  void add_forces(int eflag, int vflag, bool for_list) override;
+  void read_settings_again(FILE* file) override;
 
  private:
   std::unique_ptr<LIGGGHTS::SurfaceContacts> contacts_;

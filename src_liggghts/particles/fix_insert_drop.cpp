@@ -228,7 +228,7 @@ void FixInsertDrop::write_restart(FILE* file) {
   fwrite(state, 1, sizeof(state), file);
 }
 
-void FixInsertDrop::restart(char* buffer) {
+void FixInsertDrop::restart(ELLIPSOID_RESTART_PARAMETERS) {
   double first;
   std::memcpy(&first, buffer, sizeof(first));
   const bool has_next_try = first == with_next_try;

@@ -11,6 +11,7 @@ FixStyle(insert/drop,FixInsertDrop)
 
 #include "fix.h"
 #include "fix_particletemplate_ellipsoid.h"
+#include "host_variants.h"
 
 namespace LAMMPS_NS {
 
@@ -24,7 +25,7 @@ class FixInsertDrop : public Fix {
   void init() override;
   void pre_exchange() override;
   void write_restart(FILE* file) override;
-  void restart(char* buffer) override;
+  void restart(ELLIPSOID_RESTART_PARAMETERS) override;
   /// Particles inserted so far.
   double compute_scalar() override { return inserted_; }
 

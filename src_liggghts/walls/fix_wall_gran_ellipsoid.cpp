@@ -6,6 +6,7 @@
 #include "ellipsoid_models.h"
 #include "error.h"
 #include "fix_property_atom.h"
+#include "host_mesh.h"
 #include "input.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -167,6 +168,11 @@ void FixWallGranEllipsoid::init() {
   FixWallGran::init();
   if (!atom->superquadric_flag)
     error->fix_error(FLERR, this, "needs particles with shape: use atom_style granular/ellipsoid");
+  for (int m = 0; m < n_FixMesh_; ++m)
+    if (ellipsoid_host::weighs_contacts(FixMesh_list_[m]))
+      error->fix_error(FLERR, this,
+                       "has one contact at a seam by itself: remove 'weighted_wall_formulation' "
+                       "from its meshes");
 }
 
 void FixWallGranEllipsoid::post_force_primitive(int) {
@@ -290,8 +296,7 @@ void FixWallGranEllipsoid::prepare_for_mesh(int i, const WallContact& contact, F
   atom_type_wall_ = mesh->atomTypeWall();
   fix_wallforce_contact_ = mesh->meshforceContact();
   fix_wallforce_contact_stress_ = mesh->meshforceContactStress();
-  double* unused = nullptr;
-  mesh->contactHistory()->handleContact(i, meshes_.near(contact.triangle).id, unused, true, false);
+  ellipsoid_host::note_triangle(mesh, i, meshes_.near(contact.triangle).id);
 }
 
 void FixWallGranEllipsoid::weigh(int i, const Vector3& force, const Vector3& torque,
@@ -327,6 +332,6 @@ void FixWallGranEllipsoid::report_to_mesh(int i, const WallContact& contact, con
   double force_on_particle[3], lever[3];
   store(force, force_on_particle);
   store(contact.point, lever);
-  FixMesh_list_[triangle.mesh]->add_particle_contribution(i, force_on_particle, lever,
-                                                          triangle.index, wall_velocity);
+  ellipsoid_host::add_to_mesh(FixMesh_list_[triangle.mesh], i, force_on_particle, lever,
+                              triangle.index, wall_velocity);
 }

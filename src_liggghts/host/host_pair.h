@@ -1,0 +1,89 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Base class of a granular pair style, the same for every host.
+#ifndef ELLIPSOID_HOST_PAIR_H
+#define ELLIPSOID_HOST_PAIR_H
+
+#include "contact_models.h"
+#include "force.h"
+#include "host_variants.h"
+#include "pair_gran.h"
+
+#include <cstdint>
+#include <cstdio>
+
+namespace ellipsoid_host {
+
+class HostPairStyle : public LAMMPS_NS::PairGran {
+ public:
+  explicit HostPairStyle(LAMMPS_NS::LAMMPS* lmp) : PairGran(lmp) {}
+
+  /// For commands that list the contacts of a step, like compute pair/gran/local: begin, add each
+  /// contact, end.
+  void begin_list() {
+#ifdef ELLIPSOID_HOST_INL
+    updateRequestedCallbacks();
+    callBeginPass();
+#endif
+  }
+  void add_to_list(LIGGGHTS::ContactModels::SurfacesIntersectData& contact,
+                   LIGGGHTS::ContactModels::ForceData force_i,
+                   const LIGGGHTS::ContactModels::ForceData& force_j) {
+#ifdef ELLIPSOID_HOST_INL
+    call_post_force_callback(contact, force_i, force_j);
+#else
+    static_cast<void>(force_j);
+    cpl_add_pair(contact, force_i);
+#endif
+  }
+  void end_list() {
+#ifdef ELLIPSOID_HOST_INL
+    callEndPass();
+#else
+    cpl_pair_finalize();
+#endif
+  }
+
+ protected:
+  /// The contact forces of a time step; `for_list` if its contacts are to be listed.
+  virtual void add_forces(int eflag, int vflag, bool for_list) = 0;
+  /// Reads what write_restart_settings() wrote.
+  virtual void read_settings_again(std::FILE* file) = 0;
+
+ private:
+#ifdef ELLIPSOID_HOST_INL
+  bool has_listeners_ = false; // since the pair style was made
+
+  void compute_force(int eflag, int vflag) override { add_forces(eflag, vflag, has_listeners_); }
+  void read_restart_settings(std::FILE* file, const Version&) override {
+    read_settings_again(file);
+  }
+  void register_post_force_callback(LIGGGHTS::ILoopCallbackCallable* listener) override {
+    has_listeners_ = true;
+    PairGran::register_post_force_callback(listener);
+  }
+#else
+  void compute_force(int eflag, int vflag, int addflag) override {
+    add_forces(eflag, vflag, cpl() && addflag);
+  }
+  void read_restart_settings(std::FILE* file, const int, const int) override {
+    read_settings_again(file);
+  }
+#endif
+};
+
+/// Takes the names of contact models from the arguments; -1 if one is unknown.
+inline std::int64_t select_models(int& narg, char**& arg, LAMMPS_NS::LAMMPS* lmp,
+                                  LAMMPS_NS::Force* force) {
+#ifdef ELLIPSOID_HOST_INL
+  static_cast<void>(force);
+  return LIGGGHTS::ContactModels::Factory::select(narg, arg, lmp);
+#else
+  static_cast<void>(lmp);
+  return LIGGGHTS::ContactModels::Factory::select(narg, arg, force->custom_contact_models);
+#endif
+}
+
+} // namespace ellipsoid_host
+
+#endif
