@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 
-from _engine import LAW, Particle, Setup, dump, read_dump, run, vectors
+from _engine import LAW, Material, Setup, dump, read_dump, run, vectors
 
 SEMIAXES = {"smooth": (0.002, 0.0015, 0.0016), "multisphere": (0.002, 0.0015, 0.0015)}
 SIDES = (0.02, 0.018, 0.022)
@@ -63,7 +63,7 @@ class Triclinic(unittest.TestCase):
 
     def sheared(self, surface, ranks):
         """A dense box sheared by 8 strains; the frames of the last two."""
-        side, rate, time_step = 0.02, 40.0, 1e-5
+        side, rate, time_step = 0.02, 100.0, 1e-5
         steps = round(1.0 / (rate * time_step))  # of one strain
         name = f"shear_{surface}_{ranks}"
         count = 5
@@ -83,7 +83,7 @@ run {6 * steps}
 run {2 * steps}
 """
         run(prism(surface, commands, sides=(side,) * 3, tilts=(0.0, 0.0, 0.0), time_step=time_step,
-                  skin=0.001), ranks, name=f"in.{name}")
+                  skin=0.001, materials=[Material(5e6, 0.2)]), ranks, name=f"in.{name}")
         return read_dump(f"{name}.dump")[1], count ** 3, rate * side, side
 
     def test_a_sheared_box_keeps_its_particles(self):

@@ -22,7 +22,7 @@ def series(variants):
 
 
 def hunks(patch):
-    """File, line and old lines of each hunk."""
+    """File, line and old lines of each hunk; a line is None where the file has to end."""
     file, found = None, []
     for line in patch.read_text().split("\n"):
         place = re.match(r"@@ -(\d+)", line)
@@ -32,7 +32,10 @@ def hunks(patch):
             found.append((file, int(place[1]), []))
         elif found and line[:1] in (" ", "-") and not line.startswith("--- "):
             found[-1][2].append(line[1:])
-    return found
+        elif found and line[:1] == "+":
+            found[-1][2].append(None)
+    return [(file, first, [line for line in old if line is not None] + old[-1:].count(None) * [None])
+            for file, first, old in found]
 
 
 def write_tree(folder, branch, version, *variants):
@@ -46,8 +49,9 @@ def write_tree(folder, branch, version, *variants):
             while len(lines) + 1 < first:
                 lines.append(f"// line {len(lines) + 1}")
             lines += old
+        text = "\n".join(line for line in lines if line is not None)
         (folder / file).parent.mkdir(parents=True, exist_ok=True)
-        (folder / file).write_text("\n".join(lines + ["// the end", ""]))
+        (folder / file).write_text(text + ("\n" if lines[-1] is None else "\n// the end\n"))
     for name in EXPECTED:
         if not (folder / "src" / name).exists():
             (folder / "src" / name).write_text("// empty\n")

@@ -1,0 +1,164 @@
+#!/usr/bin/env bash
+# Puts this package into a LIGGGHTS tree that is built by the host's own make.
+#
+#   bash patches/install.sh TREE            sources and patches; may be repeated
+#   bash patches/install.sh --remove TREE   takes everything back
+#
+#   TREE   the folder that contains src/
+#
+# Afterwards `make auto`, `make mpi` or any other of the host's targets, in TREE/src, gives an engine
+# with the styles of this package. What is put there:
+#   src/*.h, *.cpp            the adapters, and the sources of the kernel
+#   src/liggghts_ellipsoid/   the headers of the kernel, and the list of all these files
+#   src/Makefile.package      flags that this package needs, in front of PKG_INC
+#   src/style_contact_model_user.whitelist   the combinations of contact models of this package
+# and the patches of patches/apply.sh. A file of the tree that is in the way, or one of these files
+# that was changed since, is left alone and named.
+set -euo pipefail
+
+package=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+readonly flags="-std=c++17 -DSUPERQUADRIC_ACTIVE_FLAG -DNONSPHERICAL_ACTIVE_FLAG \
+-I../liggghts_ellipsoid -ffp-contract=off -fno-math-errno -fno-trapping-math"
+readonly own_folder=liggghts_ellipsoid
+readonly whitelist=style_contact_model_user.whitelist
+
+fail() {
+  echo "patches/install.sh: $*" >&2
+  exit 1
+}
+
+# list_files: `SOURCE<tab>PLACE` of every file, the place below TREE/src
+list_files() {
+  local file
+  for file in "$package"/src_liggghts/{computes,files,host,models,motion,pairs,particles,walls}/*.{h,cpp}; do
+    printf '%s\t%s\n' "$file" "$(basename "$file")"
+  done
+  (cd "$package/src_liggghts/kernel" && find . -name '*.cpp' -o -name '*.h') | sort |
+    while read -r file; do
+      case $file in
+        *.h) printf '%s\t%s\n' "$package/src_liggghts/kernel/${file#./}" "$own_folder/${file#./}" ;;
+        *) printf '%s\t%s\n' "$package/src_liggghts/kernel/${file#./}" "$(basename "$file")" ;;
+      esac
+    done
+}
+
+# is_ours PLACE: is the file there as this script has put it?
+is_ours() {
+  [[ -f $list ]] && grep -Fxq "$(sha256sum "$src/$1" | cut -d ' ' -f 1)  $1" "$list"
+}
+
+# check_room PLACE...: nothing of the user's is to be lost
+check_room() {
+  local place
+  for place in "$@"; do
+    [[ ! -e $src/$place ]] || is_ours "$place" ||
+      fail "'$src/$place' is in the way: it is not as this script put it there;" \
+        "move it away and try again"
+  done
+}
+
+copy_files() {
+  local source place old
+  local -a sources=() places=() listed=()
+  while IFS=$'\t' read -r source place; do
+    sources+=("$source")
+    places+=("$place")
+  done < <(list_files)
+  check_room "${places[@]}"
+  if [[ -f $list ]]; then # files of an earlier version
+    mapfile -t listed < <(cut -c 67- "$list")
+    for old in "${listed[@]}"; do
+      [[ " ${places[*]} " == *" $old "* || ! -e $src/$old ]] || ! is_ours "$old" || rm "$src/$old"
+    done
+  fi
+  mkdir -p "$src/$own_folder"
+  for ((k = 0; k < ${#places[@]}; k++)); do
+    mkdir -p "$(dirname "$src/${places[k]}")"
+    cmp -s "${sources[k]}" "$src/${places[k]}" || cp "${sources[k]}" "$src/${places[k]}"
+  done
+  (cd "$src" && sha256sum "${places[@]}") >"$list"
+  echo "copied: ${#places[@]} files to $src, see $list"
+}
+
+remove_files() {
+  local old
+  local -a listed=()
+  [[ -f $list ]] || fail "'$tree' has nothing of this package: $list is missing"
+  mapfile -t listed < <(cut -c 67- "$list")
+  for old in "${listed[@]}"; do
+    if [[ ! -e $src/$old ]]; then
+      continue
+    elif is_ours "$old"; then
+      rm "$src/$old"
+    else
+      echo "kept, it was changed: $src/$old"
+    fi
+  done
+  rm "$list"
+  find "$src/$own_folder" -depth -type d -empty -delete
+  echo "removed: ${#listed[@]} files from $src"
+}
+
+add_flags() {
+  local file=$src/Makefile.package
+  [[ -f $file ]] || cp "$src/Makefile.package.empty" "$file"
+  grep -q '^PKG_INC =' "$file" || fail "'$file' has no line 'PKG_INC ='; add one"
+  if ! grep -Fq -- "$flags" "$file"; then
+    sed -i "s|^PKG_INC =|&\t$flags|" "$file"
+    echo "added: flags to $file"
+  fi
+}
+
+remove_flags() {
+  local file=$src/Makefile.package
+  [[ -f $file ]] || return 0
+  sed -i "s|^PKG_INC =\t$flags|PKG_INC =|" "$file"
+  ! cmp -s "$file" "$src/Makefile.package.empty" || rm "$file"
+}
+
+# The host reads the list line by line and needs an end of line after the last one.
+add_models() {
+  local line
+  while read -r line; do
+    grep -Fxqs -- "$line" "$src/$whitelist" || echo "$line" >>"$src/$whitelist"
+  done < <(own_models)
+}
+
+remove_models() {
+  [[ -f $src/$whitelist ]] || return 0
+  grep -Fxvf <(own_models) "$src/$whitelist" >"$src/$whitelist.rest" || true
+  mv "$src/$whitelist.rest" "$src/$whitelist"
+  [[ -s $src/$whitelist ]] || rm "$src/$whitelist"
+}
+
+own_models() {
+  grep -o 'GRAN_MODEL(.*)' "$package/src_liggghts/models/$whitelist"
+}
+
+remove=no
+if [[ ${1-} == --remove ]]; then
+  remove=yes
+  shift
+fi
+[[ $# -eq 1 ]] || fail "usage: install.sh [--remove] TREE"
+tree=${1%/}
+src=$tree/src
+list=$src/$own_folder/files.txt
+if [[ $remove == yes ]]; then
+  bash "$package/patches/apply.sh" check "$tree"
+  remove_files
+  bash "$package/patches/apply.sh" revert "$tree" | grep -v '^host: \|^not in: ' || true
+  remove_flags
+  remove_models
+else
+  bash "$package/patches/apply.sh" check "$tree"
+  [[ -f $src/Makefile.package.empty || -f $src/Makefile.package ]] ||
+    fail "'$src' has neither Makefile.package nor Makefile.package.empty: is it the host's whole src/?"
+  mapfile -t places < <(list_files | cut -f 2)
+  check_room "${places[@]}"
+  bash "$package/patches/apply.sh" apply "$tree" | grep -v '^host: '
+  copy_files
+  add_flags
+  add_models
+  echo "Now build in $src as always, for example: make mpi"
+fi
