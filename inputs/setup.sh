@@ -89,6 +89,7 @@ show_progress() {
     fi
   done
   [[ -z $on_terminal ]] || printf '\r\033[K'
+  printf '  %.90s, %s\n' "$progress" "$(seconds_text $((SECONDS - began)))"
 }
 
 # quietly COMMAND...: what it prints goes to the log; after a failure its last lines are shown
