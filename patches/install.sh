@@ -30,7 +30,8 @@ fail() {
 # list_files: `SOURCE<tab>PLACE` of every file, the place below TREE/src
 list_files() {
   local file
-  for file in "$package"/src_liggghts/{computes,files,host,models,motion,pairs,particles,walls}/*.{h,cpp}; do
+  find "$package/src_liggghts" -mindepth 2 -maxdepth 2 '(' -name '*.h' -o -name '*.cpp' ')' \
+    -not -path '*/kernel/*' | sort | while read -r file; do
     printf '%s\t%s\n' "$file" "$(basename "$file")"
   done
   (cd "$package/src_liggghts/kernel" && find . -name '*.cpp' -o -name '*.h') | sort |
