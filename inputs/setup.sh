@@ -13,7 +13,7 @@ cmake_options=() # those that the machine calls for
 wanted_packages=(build-essential cmake ninja-build ccache patch xz-utils ca-certificates
   openmpi-bin libopenmpi-dev libeigen3-dev libcli11-dev libfmt-dev nlohmann-json3-dev zlib1g-dev
   libbz2-dev liblzma-dev libzstd-dev
-  libcairo2-dev pkg-config libgtest-dev python3 python3-numpy)
+  libcairo2-dev libnanoflann-dev voro++-dev pkg-config libgtest-dev python3 python3-numpy)
 vtk_packages=(libvtk9-dev)
 
 # seconds_text SECONDS: as minutes:seconds

@@ -37,7 +37,8 @@ CoordinationOptions coordination_settings(const PileCommandOptions& options,
                                           const PileOptions& pile, double mean_b) {
   CoordinationOptions result;
   result.count_walls = options.with_walls;
-  result.walls = walls_of(pile);
+  for (const PlaneWall& wall : walls_of(pile))
+    result.walls.push_back(wall);
   result.gap = options.contact_gap * mean_b;
   return result;
 }

@@ -4,6 +4,7 @@
 #include "messages.h"
 #include "paper_figures.h"
 #include "picture_options.h"
+#include "table_charts.h"
 
 #include <fmt/format.h>
 #include <memory>
@@ -12,16 +13,49 @@ namespace ellipsoid::post {
 namespace {
 
 struct PlotOptions {
-  int number = 0;
+  std::string what; ///< number of a figure, or "curve", or "map"
+  TableChart columns;
   std::vector<std::string> files;
   std::string output;
   double aspect_ratio = 2.7 / 1.15;
   int width = 0, height = 700;
 };
 
+/// The words that the command takes: figures of the paper, and any columns.
+std::vector<std::string> known_words() {
+  std::vector<std::string> words{"curve", "map"};
+  for (const int number : known_figures)
+    words.push_back(std::to_string(number));
+  return words;
+}
+
+/// Any columns of the files.
+void plot_columns(const PlotOptions& options) {
+  if (options.columns.x.empty() || options.columns.y.empty())
+    throw InputError(options.what + ": give the columns, --x and --y");
+  const bool is_map = options.what == "map";
+  if (is_map && options.columns.value.empty())
+    throw InputError("map: give the column of the colours, --value");
+  std::vector<std::string> numbers = options.columns.y;
+  numbers.push_back(options.columns.x);
+  const Table table = read_csv_files(options.files, numbers);
+  constexpr int usual_width = 900; // pixels
+  const int width = options.width > 0 ? options.width : usual_width;
+  const PictureFormat format = picture_format(options.output);
+  write_text(options.output, is_map
+                                 ? draw_map(format, table, options.columns, width, options.height)
+                                 : draw_charts(format, {curve_chart(table, options.columns)}, width,
+                                               options.height));
+  fmt::print(stderr, "picture: {}\n", options.output);
+}
+
 void plot(const PlotOptions& options) {
+  if (options.what == "curve" || options.what == "map") {
+    plot_columns(options);
+    return;
+  }
   const Table runs = read_csv_files(options.files, figure_columns);
-  const auto charts = figure(options.number, runs, options.aspect_ratio);
+  const auto charts = figure(std::stoi(options.what), runs, options.aspect_ratio);
   constexpr int panel_width = 900; // pixels
   const int width =
       options.width > 0 ? options.width : panel_width * static_cast<int>(charts.size());
@@ -35,16 +69,28 @@ void plot(const PlotOptions& options) {
 void add_plot_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<PlotOptions>();
   CLI::App* command = program.add_subcommand(
-      "plot", "figures 5, 12, 13, 15, 17 and 18 of the paper with its points beside ours");
+      "plot",
+      "curves and maps of any columns, and figures of the paper with its points beside ours");
   command->footer(
-      "Figure 5 needs no files. 12, 13 and 15 take CSV files of `pile --csv` (with "
+      "curve: the columns --y over the column --x of CSV files, one curve for each value of "
+      "--group. "
+      "map: rectangles about (--x, --y), coloured by --value. Figure 5 needs no files. 12, 13 and "
+      "15 take CSV files of `pile --csv` (with "
       "--outline ellipse as well for 'MS ellipse'); 17 and 18 take CSV files with "
       "the columns subspheres (empty: smooth, with surface = smooth) and "
       "relative_cpu_time or potential_contacts_per_particle. Error bars and bands: "
       "half range over runs. Open markers and dashed lines: values of the paper's text.");
-  command->add_option("figure", options->number, "5, 12, 13, 15, 17 or 18")
+  command
+      ->add_option("figure", options->what,
+                   "curve, map, or a figure of the paper: 5, 12, 13, 15, 17 or 18")
       ->required()
-      ->check(CLI::IsMember(known_figures));
+      ->check(CLI::IsMember(known_words()));
+  command->add_option("--x", options->columns.x, "column of the abscissa");
+  command->add_option("--y", options->columns.y, "columns of the ordinate, with commas")
+      ->delimiter(',');
+  command->add_option("--group", options->columns.group, "column that tells curves apart");
+  command->add_option("--value", options->columns.value, "column of the colours of a map");
+  command->add_option("--title", options->columns.title, "words above a curve or map");
   command->add_option("files", options->files, "CSV files");
   command->add_option("--output,-o", options->output, "file name, ends in .svg or .png")
       ->required()

@@ -14,6 +14,12 @@ void add_heap_command(CLI::App&, int&);
 void add_bed_command(CLI::App&, int&);
 void add_orientation_command(CLI::App&, int&);
 void add_contacts_command(CLI::App&, int&);
+void add_fields_command(CLI::App&, int&);
+void add_voronoi_command(CLI::App&, int&);
+void add_mixing_command(CLI::App&, int&);
+void add_pairs_command(CLI::App&, int&);
+void add_trajectory_command(CLI::App&, int&);
+void add_flow_command(CLI::App&, int&);
 void add_energy_command(CLI::App&, int&);
 void add_summary_command(CLI::App&, int&);
 void add_render_command(CLI::App&, int&);
@@ -34,6 +40,12 @@ const CommandRow command_rows[] = {
     {"bed", add_bed_command},
     {"orientation", add_orientation_command},
     {"contacts", add_contacts_command},
+    {"fields", add_fields_command},
+    {"voronoi", add_voronoi_command},
+    {"mixing", add_mixing_command},
+    {"pairs", add_pairs_command},
+    {"trajectory", add_trajectory_command},
+    {"flow", add_flow_command},
     {"energy", add_energy_command},
     {"summary", add_summary_command},
     {"render", add_render_command},

@@ -1,13 +1,12 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "contact_forces.h"
 
+#include "listed_particles.h"
 #include "periodic_cell.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <map>
-#include <unordered_map>
 #include <utility>
 
 namespace ellipsoid::post {
@@ -76,22 +75,11 @@ using Pair = std::pair<std::size_t, std::size_t>; ///< indices, the smaller firs
 /// The two particles of each row of a list.
 std::vector<Pair> row_pairs(const Frame& list, const ContactColumns& columns,
                             const ParticleSet& set) {
-  std::unordered_map<double, std::size_t> index_of_id;
-  for (std::size_t k = 0; k < set.particles.size(); ++k)
-    index_of_id[static_cast<double>(set.particles[k].id)] = k;
-  const auto index_at = [&](const std::string& column, std::size_t row) {
-    const double id = list.required(column, "id of a particle")[row];
-    const auto found = index_of_id.find(id);
-    if (found == index_of_id.end())
-      throw unexpected({list.place.file, list.place.line + row, list.place.frame},
-                       fmt::format("the id of a particle in column \"{}\"", column),
-                       fmt::format("{}, which the dump of the particles does not have", id));
-    return found->second;
-  };
+  const ListedParticles particles(list, set);
   std::vector<Pair> pairs;
   for (std::size_t row = 0; row < list.rows; ++row)
     pairs.push_back(
-        std::minmax({index_at(columns.ids.at(0), row), index_at(columns.ids.at(1), row)}));
+        std::minmax({particles.at(columns.ids.at(0), row), particles.at(columns.ids.at(1), row)}));
   return pairs;
 }
 

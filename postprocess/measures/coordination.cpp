@@ -6,29 +6,6 @@
 namespace ellipsoid::post {
 namespace {
 
-/// Touching partners and walls of every particle of the set.
-struct Partners {
-  std::vector<std::size_t> particles, walls, wall_bodies;
-};
-
-Partners count_partners(const ParticleSet& set, const std::vector<PairContact>& pairs,
-                        const CoordinationOptions& options) {
-  const std::size_t count = set.particles.size();
-  Partners partners{std::vector<std::size_t>(count, 0), std::vector<std::size_t>(count, 0),
-                    std::vector<std::size_t>(count, 0)};
-  for (const PairContact& pair : pairs) {
-    ++partners.particles[pair.i];
-    ++partners.particles[pair.j];
-  }
-  for (std::size_t i = 0; i < count; ++i)
-    for (const PlaneWall& wall : options.walls) {
-      const std::size_t bodies = wall_overlaps(set, i, wall, options.gap).size();
-      partners.walls[i] += bodies > 0 ? 1 : 0;
-      partners.wall_bodies[i] += bodies;
-    }
-  return partners;
-}
-
 /// Pairs with both particles in `is_member`.
 std::vector<PairContact> pairs_among(const std::vector<PairContact>& pairs,
                                      const std::vector<char>& is_member) {
@@ -53,6 +30,24 @@ void add_overlaps(Coordination& result, const ContactNetwork& network,
 }
 
 } // namespace
+
+Partners count_partners(const ParticleSet& set, const std::vector<PairContact>& pairs,
+                        const CoordinationOptions& options) {
+  const std::size_t count = set.particles.size();
+  Partners partners{std::vector<std::size_t>(count, 0), std::vector<std::size_t>(count, 0),
+                    std::vector<std::size_t>(count, 0)};
+  for (const PairContact& pair : pairs) {
+    ++partners.particles[pair.i];
+    ++partners.particles[pair.j];
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    for (const SpaceWall& wall : options.walls) {
+      const std::size_t bodies = bodies_at_wall(set, i, wall, options.gap);
+      partners.walls[i] += bodies > 0 ? 1 : 0;
+      partners.wall_bodies[i] += bodies;
+    }
+  return partners;
+}
 
 Coordination coordination(const ParticleSet& set, const std::vector<std::size_t>& members,
                           const CoordinationOptions& options) {

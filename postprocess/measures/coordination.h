@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #pragma once
 
-#include "contacts.h"
+#include "space_walls.h"
 
 #include <optional>
 #include <vector>
@@ -10,7 +10,7 @@ namespace ellipsoid::post {
 
 struct CoordinationOptions {
   bool count_walls = false;         ///< contacts with wall and floor count as well
-  std::vector<PlaneWall> walls;     ///< for count_walls and for the rattlers
+  std::vector<SpaceWall> walls;     ///< for count_walls and for the rattlers
   double gap = 0.0;                 ///< bodies this close count as touching (length)
   std::size_t rattler_contacts = 2; ///< fewer contacts (walls included) make a rattler
 };
@@ -24,6 +24,13 @@ struct Coordination {
   double mean_overlap = 0.0, largest_overlap = 0.0; ///< of particle contacts (length)
   std::size_t not_converged = 0;
 };
+
+/// Touching partners and walls of every particle of a set.
+struct Partners {
+  std::vector<std::size_t> particles, walls, wall_bodies;
+};
+Partners count_partners(const ParticleSet& set, const std::vector<PairContact>& pairs,
+                        const CoordinationOptions& options);
 
 /// Coordination numbers and overlaps among the particles `members` of a set.
 /// With count_walls each particle that touches a wall counts one more contact per wall.

@@ -31,7 +31,7 @@ def main():
         assert options, name
         for option in options:
             assert option == "--help" or option in text or option in shared, (name, option)
-    pages = {file[:-3] for file in os.listdir(PAGES)} - {"README"}
+    pages = {file[:-3] for file in os.listdir(PAGES) if file.endswith(".md")} - {"README", "comparison"}
     assert pages == set(names), pages ^ set(names)
 
 

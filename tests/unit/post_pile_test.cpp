@@ -258,7 +258,8 @@ TEST(Coordination, walls_and_rattlers) {
   set.particles.push_back(plane_particle(1.0, 0.5, 20.0, 3.0)); // touches nothing
   number(set);
   CoordinationOptions options;
-  options.walls = {{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, {{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}};
+  options.walls = {PlaneWall{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}},
+                   PlaneWall{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}};
   Coordination z = coordination(set, all_of(set), options);
   EXPECT_EQ(z.pairs, 7u);
   EXPECT_EQ(z.wall_contacts, 5u); // two at the wall, three on the floor

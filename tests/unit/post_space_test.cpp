@@ -164,25 +164,97 @@ TEST(Bed, solid_volume_of_turned_ellipsoids_far_apart) {
   EXPECT_NEAR(solid_volume(set, all_members(set), 2000, -1e3), 5.0 * 4.0 / 3.0 * pi * 6.0, 1e-3);
 }
 
-TEST(Orientation, aligned_and_random) {
-  ParticleSet set;
-  for (int k = 0; k < 10; ++k) { // along +-30 degrees' direction, either sign
-    Particle p = ball(1.0, {});
-    const double angle = pi / 6.0 + (k % 2) * pi;
-    p.orientation = {std::cos(0.5 * angle), 0.0, 0.0, std::sin(0.5 * angle)};
-    set.particles.push_back(p);
+/// Bodies with these semi-axes and their longest axis along `angle` (rad) in the xy plane.
+Particle long_body(const Vector3& semiaxes, double angle) {
+  Particle p;
+  p.semiaxes = semiaxes;
+  const double z_turn = std::cos(0.5 * angle), z_part = std::sin(0.5 * angle);
+  const Quaternion turn{z_turn, 0.0, 0.0, z_part};
+  const double half = std::sqrt(0.5); // turns by 90 degrees about z (y to x) and y (z to x)
+  const bool along_y = semiaxes.y > semiaxes.x && semiaxes.y > semiaxes.z;
+  const bool along_z = semiaxes.z > semiaxes.x && semiaxes.z > semiaxes.y;
+  const Quaternion to_x = along_y   ? Quaternion{half, 0.0, 0.0, -half}
+                          : along_z ? Quaternion{half, 0.0, half, 0.0}
+                                    : Quaternion{};
+  p.orientation = turn * to_x;
+  return p;
+}
+
+TEST(Orientation, the_longest_axis_counts_wherever_it_is) {
+  for (const Vector3& semiaxes :
+       {Vector3{3.0, 1.0, 1.0}, Vector3{1.0, 3.0, 1.0}, Vector3{1.0, 1.0, 3.0}}) {
+    ParticleSet set;
+    for (int k = 0; k < 10; ++k) // along 30 degrees' direction, either sign
+      set.particles.push_back(long_body(semiaxes, pi / 6.0 + (k % 2) * pi));
+    EXPECT_EQ(body_axis(set.particles[0]), BodyAxis::longest);
+    const Orientation o = orientation(set, all_members(set), BodyAxis::longest, 18);
+    EXPECT_NEAR(o.nematic_order, 1.0, 1e-14);
+    EXPECT_NEAR(o.plane_order, 1.0, 1e-14);
+    EXPECT_NEAR(o.plane_angle_deg, 30.0, 1e-12);
+    EXPECT_NEAR(o.flow_angle_deg, 30.0, 1e-12);
+    EXPECT_NEAR(std::abs(o.director.x), std::cos(pi / 6.0), 1e-12);
+    EXPECT_FALSE(o.biaxial_order);
   }
-  Orientation o = orientation(set, all_members(set), 18);
-  EXPECT_NEAR(o.nematic_order, 1.0, 1e-14);
-  EXPECT_NEAR(o.plane_order, 1.0, 1e-14);
-  EXPECT_NEAR(o.plane_angle_deg, 30.0, 1e-12);
+}
+
+TEST(Orientation, random_bodies_have_no_order) {
+  ParticleSet set;
   std::mt19937 generator(2);
-  set.particles.assign(20000, ball(1.0, {}));
+  set.particles.assign(20000, long_body({3.0, 2.0, 1.0}, 0.0));
   for (Particle& p : set.particles)
     p.orientation = random_turn(generator);
-  o = orientation(set, all_members(set), 18);
+  const Orientation o = orientation(set, all_members(set), BodyAxis::longest, 18);
   EXPECT_LT(o.nematic_order, 0.02); // 1 / sqrt(20000) = 0.007
   EXPECT_LT(o.plane_order, 0.03);
+  EXPECT_LT(*o.biaxial_order, 0.03);
+}
+
+TEST(Orientation, discs_lie_by_their_shortest_axis) {
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> turn(0.0, 2.0 * pi);
+  ParticleSet set;
+  for (int k = 0; k < 400; ++k) { // flat on the xz plane, turned about y
+    Particle p = long_body({2.0, 0.5, 2.0}, 0.0);
+    const double angle = turn(generator);
+    p.orientation = {std::cos(0.5 * angle), 0.0, std::sin(0.5 * angle), 0.0};
+    set.particles.push_back(p);
+  }
+  EXPECT_EQ(body_axis(set.particles[0]), BodyAxis::shortest);
+  const Orientation o = orientation(set, all_members(set), BodyAxis::shortest, 18);
+  EXPECT_NEAR(o.nematic_order, 1.0, 1e-12);
+  EXPECT_NEAR(std::abs(o.director.y), 1.0, 1e-12);
+  EXPECT_EQ(body_axis(ball(1.0, {})), BodyAxis::none);
+  EXPECT_EQ(body_axis(long_body({3.0, 1.5, 1.0}, 0.0)), BodyAxis::longest);
+  EXPECT_EQ(body_axis(long_body({3.0, 2.5, 1.0}, 0.0)), BodyAxis::shortest);
+}
+
+TEST(Orientation, biaxial_order_is_one_where_all_axes_lie_the_same_way) {
+  ParticleSet set;
+  std::mt19937 generator(4);
+  std::uniform_real_distribution<double> turn(0.0, 2.0 * pi);
+  const Quaternion anyhow = random_turn(generator);
+  set.particles.assign(200, long_body({1.0, 3.0, 2.0}, 0.0));
+  for (Particle& p : set.particles)
+    p.orientation = anyhow;
+  EXPECT_NEAR(*orientation(set, all_members(set), BodyAxis::longest, 9).biaxial_order, 1.0, 1e-12);
+  for (Particle& p : set.particles) { // turned about their long axis, the body's y
+    const double angle = turn(generator);
+    p.orientation = anyhow * Quaternion{std::cos(0.5 * angle), 0.0, std::sin(0.5 * angle), 0.0};
+  }
+  const Orientation o = orientation(set, all_members(set), BodyAxis::longest, 9);
+  EXPECT_NEAR(o.nematic_order, 1.0, 1e-12);
+  EXPECT_LT(*o.biaxial_order, 0.2); // 1 / sqrt(200) = 0.07
+}
+
+TEST(Orientation, the_flow_angle_is_a_mean_in_its_own_plane) {
+  ParticleSet set;
+  for (const double degrees : {-80.0, 20.0, 30.0})
+    set.particles.push_back(long_body({3.0, 1.0, 1.0}, degrees * pi / 180.0));
+  const Orientation o = orientation(set, all_members(set), BodyAxis::longest, 9);
+  EXPECT_NEAR(o.flow_angle_deg, -10.0, 1e-12);
+  EXPECT_NEAR(o.flow_angle_deviation_deg, std::sqrt((4900.0 + 900.0 + 1600.0) / 2.0), 1e-10);
+  const Orientation turned = orientation(set, all_members(set), BodyAxis::longest, 9, {1, 0});
+  EXPECT_NEAR(turned.flow_angle_deg, (-10.0 + 70.0 + 60.0) / 3.0, 1e-12); // 90 - angle
 }
 
 TEST(Contacts, fabric_and_forces) {

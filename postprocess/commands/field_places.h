@@ -1,0 +1,64 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Where the command `fields` takes fields: a grid, a profile, or points.
+#pragma once
+
+#include "command.h"
+#include "field_rows.h"
+#include "field_targets.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ellipsoid::post {
+
+struct FieldPlaceOptions {
+  std::vector<int> grid;
+  std::string profile, axis = "z";
+  std::vector<double> at, box, cylinder;
+  int slices = 50;
+};
+
+void add_field_place_options(CLI::App& command, FieldPlaceOptions& options);
+
+/// The places, fixed when the first frame is known.
+class FieldPlaces {
+ public:
+  /// @param[in] width of the coarse-graining function (length)
+  /// Throws InputError for options that do not belong together.
+  FieldPlaces(const FieldPlaceOptions& options, const Box& box, double width);
+
+  /// Targets for one frame, whose sums() go with gathered().
+  std::unique_ptr<FieldTargets> targets(const CoarseGrainingFunction& function,
+                                        const PeriodicCell& cell, double longest) const;
+  /// Sums of the targets, one per place: rings are averaged in cylindrical components.
+  std::vector<FieldSums> gathered(const std::vector<FieldSums>& sums) const;
+
+  std::size_t count() const { return m_rows.size(); }
+  /// Columns that tell the place.
+  const Row& row(std::size_t place) const { return m_rows[place]; }
+  const ComponentNames& component_names() const { return m_names; }
+  bool is_grid() const { return m_image.counts[0] > 0; }
+  /// The grid without values.
+  const ImageData& image() const { return m_image; }
+
+ private:
+  void take_points(const std::vector<double>& coordinates);
+  void take_grid(const std::vector<int>& counts, const Box& box);
+  void take_planes(std::size_t axis, int slices, const Box& box, bool is_part);
+  void take_rings(const FieldPlaceOptions& options, double width);
+
+  std::vector<Vector3> m_points;
+  std::vector<std::size_t> m_place_of_point; ///< rings only
+  std::vector<Rotation3> m_axes_of_point;    ///< rings only
+  std::optional<std::size_t> m_plane_axis;
+  std::vector<double> m_abscissae;
+  std::optional<Box> m_section;
+  std::vector<Row> m_rows;
+  ComponentNames m_names{"x", "y", "z"};
+  ImageData m_image;
+};
+
+} // namespace ellipsoid::post

@@ -1,0 +1,33 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#pragma once
+
+#include "fields.h"
+#include "image_data.h"
+#include "table.h"
+
+#include <array>
+#include <string>
+
+namespace ellipsoid::post {
+
+/// What the files know: other quantities are left out.
+struct KnownFields {
+  bool has_motion = false, has_spins = false, has_forces = false, has_walls = false,
+       has_normals = false;
+};
+
+/// Names of the three components of vectors: x y z, or r t z.
+using ComponentNames = std::array<std::string, 3>;
+
+/// All quantities.
+void append_fields(Row& row, const Fields& fields, const KnownFields& known,
+                   const ComponentNames& names);
+
+/// The few that people look at first.
+void append_main_fields(Row& row, const Fields& fields, const KnownFields& known,
+                        const ComponentNames& names);
+
+/// All quantities at the points of a grid.
+std::vector<GridValues> grid_values(const std::vector<Fields>& fields, const KnownFields& known);
+
+} // namespace ellipsoid::post

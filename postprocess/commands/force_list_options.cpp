@@ -1,0 +1,84 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "force_list_options.h"
+
+#include "input_error.h"
+
+#include <fmt/format.h>
+
+namespace ellipsoid::post {
+namespace {
+
+void add_columns(CLI::App& command, CLI::Option* list, const std::string& prefix,
+                 const std::string& of_what, ForceColumns& columns) {
+  command
+      .add_option("--" + prefix + "point-columns", columns.points,
+                  of_what + ": x y z of the contact point")
+      ->expected(3)
+      ->needs(list);
+  CLI::Option* forces = command.add_option("--" + prefix + "force-columns", columns.forces,
+                                           of_what + ": x y z of the force on the particle");
+  forces->expected(3)->needs(list);
+  list->needs(forces);
+  command
+      .add_option("--" + prefix + "normal-columns", columns.normals,
+                  of_what + ": x y z of the normal, for the fabric")
+      ->expected(3)
+      ->needs(list);
+}
+
+} // namespace
+
+void add_force_list_options(CLI::App& command, ForceListOptions& options) {
+  CLI::Option* contacts = command.add_option("--contacts", options.contacts,
+                                             "lists (dump local) of contacts between particles");
+  CLI::Option* ids = command.add_option("--id-columns", options.contact_columns.ids,
+                                        "of the contacts: ids of the two particles");
+  ids->expected(2)->needs(contacts);
+  contacts->needs(ids);
+  add_columns(command, contacts, "", "of the contacts", options.contact_columns);
+  command
+      .add_flag("--force-on-second", options.is_on_second,
+                "the listed forces are those on the second particle")
+      ->needs(contacts);
+  CLI::Option* walls = command.add_option("--wall-contacts", options.walls,
+                                          "lists (dump local) of contacts with walls");
+  CLI::Option* id = command.add_option("--wall-id-column", options.wall_columns.ids,
+                                       "of the contacts with walls: id of the particle");
+  id->expected(1)->needs(walls);
+  walls->needs(id);
+  add_columns(command, walls, "wall-", "of the contacts with walls", options.wall_columns);
+}
+
+ForceLists::ForceLists(const ForceListOptions& options)
+    : m_options(options), m_contact_files{options.contacts, {}}, m_wall_files{options.walls, {}},
+      m_contacts(m_contact_files), m_walls(m_wall_files) {}
+
+std::vector<ForceContact> ForceLists::at(std::int64_t timestep, const ParticleSet& set,
+                                         const PeriodicCell& cell) {
+  std::vector<ForceContact> all;
+  if (!m_options.contacts.empty()) {
+    const Frame& list = m_contacts.at(timestep);
+    all = force_contacts(list, m_options.contact_columns, set);
+    if (m_options.is_on_second)
+      for (ForceContact& contact : all)
+        contact.force = -contact.force;
+    if (forces_pull(all, set, cell))
+      throw InputError(fmt::format(
+          "{}: time step {}: the forces pull the particles together: {}", list.place.file, timestep,
+          m_options.is_on_second ? "leave out --force-on-second"
+                                 : "if they act on the second particle of each row, give "
+                                   "--force-on-second"));
+  }
+  if (m_options.walls.empty())
+    return all;
+  const Frame& list = m_walls.at(timestep);
+  const std::vector<ForceContact> walls = force_contacts(list, m_options.wall_columns, set);
+  if (forces_pull(walls, set, cell))
+    throw InputError(fmt::format("{}: time step {}: the forces pull the particles to the walls: "
+                                 "expected the force on the particle",
+                                 list.place.file, timestep));
+  all.insert(all.end(), walls.begin(), walls.end());
+  return all;
+}
+
+} // namespace ellipsoid::post

@@ -1,0 +1,180 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "body_properties.h"
+#include "messages.h"
+#include "mixing.h"
+#include "rows_command.h"
+#include "time_option.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+namespace ellipsoid::post {
+namespace {
+
+struct MixingCommandOptions {
+  FrameOptions frames;
+  MixingOptions mixing;
+  int type = 0; ///< 0: not given
+  bool by_size = false, by_aspect = false;
+  std::string column;
+  std::vector<double> region, cell_sizes;
+  double time_step = 0.0;
+};
+
+/// The numbers that are to be mixed, frame by frame.
+class Tracer {
+ public:
+  explicit Tracer(const MixingCommandOptions& options) : m_options(options) {}
+
+  std::string name() const {
+    if (m_options.type > 0)
+      return "type " + std::to_string(m_options.type);
+    if (m_options.by_size)
+      return "size";
+    if (m_options.by_aspect)
+      return "aspect ratio";
+    return m_options.column.empty() ? "region" : m_options.column;
+  }
+
+  std::vector<double> values(const ChosenFrame& chosen) {
+    if (!m_options.region.empty() && chosen.run != m_run)
+      mark(chosen);
+    std::vector<double> result;
+    for (const Particle& p : chosen.set.particles)
+      result.push_back(value(chosen, p));
+    return result;
+  }
+
+ private:
+  double value(const ChosenFrame& chosen, const Particle& p) const {
+    if (m_options.type > 0)
+      return p.type == m_options.type ? 1.0 : 0.0;
+    if (m_options.by_size)
+      return volume_radius(body_volume(chosen.set, p));
+    if (m_options.by_aspect)
+      return p.largest_axis() / p.smallest_axis();
+    if (!m_options.column.empty())
+      return chosen.frame.required(m_options.column, "what is to be mixed")[p.row];
+    return m_marked.count(p.id) > 0 ? 1.0 : 0.0;
+  }
+
+  /// Particles in the region in the first frame of a run.
+  void mark(const ChosenFrame& chosen) {
+    m_run = chosen.run;
+    m_marked.clear();
+    const std::vector<double>& r = m_options.region;
+    for (const Particle& p : chosen.set.particles)
+      if (p.centre.x >= r[0] && p.centre.x <= r[1] && p.centre.y >= r[2] && p.centre.y <= r[3] &&
+          p.centre.z >= r[4] && p.centre.z <= r[5])
+        m_marked.insert(p.id);
+  }
+
+  const MixingCommandOptions& m_options;
+  std::string m_run;
+  std::set<std::int64_t> m_marked;
+};
+
+/// Three diameters of the mean particle: about thirty particles.
+double usual_cell(const ParticleSet& set) {
+  double sum = 0.0;
+  for (const Particle& p : set.particles)
+    sum += 2.0 * volume_radius(body_volume(set, p));
+  return 3.0 * sum / static_cast<double>(std::max<std::size_t>(1, set.particles.size()));
+}
+
+void append_mixing(Row& row, const Mixing& m) {
+  const auto add = [&row](const std::string& key, const std::string& name, double value) {
+    row.push_back({key, name, "", value});
+  };
+  row.push_back({"particles", "particles", "", static_cast<std::int64_t>(m.particles)});
+  row.push_back({"cells", "cells with particles", "", static_cast<std::int64_t>(m.cells)});
+  add("tracer_mean", "mean of what is mixed", m.mean);
+  add("lacey_index", "Lacey's index", m.lacey);
+  add("lacey_index_standard_error", "its standard error", m.lacey_error);
+  add("segregation_intensity", "intensity of segregation", m.intensity);
+  add("segregation_intensity_random", "of a random mixture", m.intensity_random);
+  add("relative_standard_deviation", "relative standard deviation", m.relative_deviation);
+  add("relative_standard_deviation_random", "of a random mixture, RSD",
+      m.relative_deviation_random);
+  add("relative_standard_deviation_segregated", "of a segregated one, RSD",
+      m.relative_deviation_segregated);
+  add("gmmi", "generalised mean mixing index", m.mean_position);
+  add("gmmi_standard_error", "its error, random mixture", m.mean_position_error);
+  add("gmmi_x", "GMMI along x", m.mean_position_x);
+  add("gmmi_y", "GMMI along y", m.mean_position_y);
+  add("gmmi_z", "GMMI along z", m.mean_position_z);
+  add("gmmi_lowest", "GMMI, segregated, at the lower ends", m.mean_position_lowest);
+  add("gmmi_highest", "GMMI, segregated, at the upper ends", m.mean_position_highest);
+  add("neighbour_index", "index by neighbours", m.neighbour_index);
+  add("neighbour_index_standard_error", "its standard error, neighbours", m.neighbour_index_error);
+  add("variance", "variance of the cells", m.variance);
+  add("variance_random", "variance, random mixture", m.variance_random);
+  add("variance_segregated", "variance, segregated", m.variance_segregated);
+}
+
+std::vector<Row> mixing_rows(const MixingCommandOptions& options, Tracer& tracer,
+                             const ChosenFrame& chosen) {
+  const std::vector<double> values = tracer.values(chosen);
+  const PeriodicCell cell(chosen.set.box);
+  const std::vector<double> sizes =
+      options.cell_sizes.empty() ? std::vector<double>{usual_cell(chosen.set)} : options.cell_sizes;
+  std::vector<Row> rows;
+  for (const double size : sizes) {
+    MixingOptions settings = options.mixing;
+    settings.cell_size = size;
+    Row row = frame_row(chosen);
+    append_time(row, chosen.frame, options.time_step);
+    row.push_back({"tracer", "what is mixed", "", tracer.name()});
+    row.push_back({"cell_m", "size of the cells", "m", size});
+    append_mixing(row, mixing(chosen.set, values, cell, settings));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+} // namespace
+
+void add_mixing_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<MixingCommandOptions>();
+  CLI::App* command = program.add_subcommand(
+      "mixing", "indices of mixing and segregation, with bounds and standard errors");
+  command->footer(
+      "q is 1 for the tracer and 0 for others, or a size. S^2: variance of the means of q in "
+      "cells, "
+      "weighted by their numbers of particles; S0^2: of q itself (segregated); SR^2 = S0^2 (C - 1) "
+      "/ "
+      "(N - 1) with C cells and N particles: its mean over all orders. Lacey (S0^2 - S^2) / (S0^2 "
+      "- "
+      "SR^2); intensity S^2 / S0^2; relative standard deviation S / mean; GMMI: mean position of q "
+      "over that of all from the lowest particle; neighbours: mean (q_i - q_k)^2 over that of a "
+      "random order.");
+  add_frame_options(*command, options->frames);
+  add_time_option(*command, options->time_step);
+  CLI::Option_group* tracer = command->add_option_group("what is mixed");
+  tracer->add_option("--type", options->type, "particles of this type against all others")
+      ->check(CLI::Range(1, 1000000));
+  tracer->add_flag("--size", options->by_size, "radius of the ball of a particle's volume");
+  tracer->add_flag("--aspect", options->by_aspect, "longest over shortest semi-axis");
+  tracer->add_option("--column", options->column, "a column of the dump");
+  tracer
+      ->add_option("--region", options->region,
+                   "x0 x1 y0 y1 z0 z1: particles that were there in the first frame")
+      ->expected(6);
+  tracer->require_option(1);
+  command
+      ->add_option("--cell", options->cell_sizes,
+                   "size of the cubic cells (m), several: one row each (default: 3 mean diameters)")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--neighbours", options->mixing.neighbours, "nearest ones of each particle")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->callback([options, &exit_code] {
+    Tracer marked(*options);
+    exit_code =
+        run_rows_command(options->frames, "Mixing", FrameOrder::ascending,
+                         [&](const ChosenFrame& f) { return mixing_rows(*options, marked, f); });
+  });
+}
+
+} // namespace ellipsoid::post

@@ -1,0 +1,24 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#pragma once
+
+#include "command.h"
+#include "space_walls.h"
+
+#include <string>
+#include <vector>
+
+namespace ellipsoid::post {
+
+struct SpaceWallOptions {
+  std::vector<double> planes, cylinders, boxes; ///< numbers of several walls in one row
+  std::vector<std::string> meshes;              ///< STL files
+  double mesh_scale = 1.0;                      ///< factor on the files' lengths
+};
+
+/// Adds --plane-wall, --cylinder-wall, --box-wall and --mesh-wall.
+void add_space_wall_options(CLI::App& command, SpaceWallOptions& options);
+
+/// The walls. Throws InputError for normals and axes of length 0, and empty boxes.
+std::vector<SpaceWall> space_walls(const SpaceWallOptions& options);
+
+} // namespace ellipsoid::post

@@ -1,0 +1,177 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "collisions.h"
+#include "frame_loop.h"
+#include "frame_options.h"
+#include "messages.h"
+#include "particle_values.h"
+#include "time_option.h"
+#include "trajectories.h"
+
+#include <fmt/format.h>
+#include <memory>
+
+namespace ellipsoid::post {
+namespace {
+
+struct TrajectoryOptions {
+  FrameOptions frames;
+  std::size_t origins = 1, apart = 1;
+  double time_step = 0.0;
+  bool lists_collisions = false;
+  std::string per_particle;
+};
+
+/// Ways and rotations of every particle since it was first seen.
+void write_ways(const TrajectoryOptions& options, const ChosenFrame& chosen,
+                const Trajectories& trajectories) {
+  std::vector<ParticleValues> columns{{"way_x_m", {}},        {"way_y_m", {}},
+                                      {"way_z_m", {}},        {"rotation_x_rad", {}},
+                                      {"rotation_y_rad", {}}, {"rotation_z_rad", {}}};
+  for (const Particle& p : chosen.set.particles) {
+    const Vector3 way = trajectories.way(p.id), turn = trajectories.rotation_vector(p.id);
+    const double values[] = {way.x, way.y, way.z, turn.x, turn.y, turn.z};
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      columns[k].values.push_back(values[k]);
+  }
+  write_particle_values(options.per_particle, chosen, columns);
+}
+
+/// One run: its frames, and its rows.
+struct FollowedRun {
+  std::string name;
+  Trajectories trajectories;
+  std::vector<std::optional<double>> times; ///< of the frames (s)
+  std::vector<std::int64_t> steps;
+};
+
+Row lag_row(const FollowedRun& run, std::size_t lag) {
+  const LagMeans m = run.trajectories.means(lag);
+  Row row{{"run", "run", "", run.name}, {"lag_frames", "lag, frames", "", std::int64_t(lag)}};
+  row.push_back({"lag_timesteps", "lag, time steps", "", run.steps[lag] - run.steps[0]});
+  Value diffusion;
+  const double squared =
+      m.squared_displacement.x + m.squared_displacement.y + m.squared_displacement.z;
+  if (run.times[lag] && run.times[0]) {
+    const double lag_time = *run.times[lag] - *run.times[0];
+    row.push_back({"lag_s", "lag", "s", lag_time});
+    if (lag_time > 0.0)
+      diffusion = squared / (6.0 * lag_time);
+    row.push_back({"diffusion_m2_per_s", "MSD / 6 lag", "m2/s", diffusion});
+  }
+  const auto add = [&row](const std::string& key, const std::string& name, const std::string& unit,
+                          double value) {
+    row.push_back({key, name, unit, value});
+  };
+  row.push_back({"pairs", "particles and origins", "", static_cast<std::int64_t>(m.pairs)});
+  add("displacement_x_m", "mean displacement x", "m", m.displacement.x);
+  add("displacement_y_m", "mean displacement y", "m", m.displacement.y);
+  add("displacement_z_m", "mean displacement z", "m", m.displacement.z);
+  add("msd_m2", "mean square displacement", "m2", squared);
+  add("msd_x_m2", "MSD along x", "m2", m.squared_displacement.x);
+  add("msd_y_m2", "MSD along y", "m2", m.squared_displacement.y);
+  add("msd_z_m2", "MSD along z", "m2", m.squared_displacement.z);
+  add("rotation_squared_rad2", "mean square rotation", "rad2", m.squared_rotation);
+  add("direction_correlation", "u(0).u(t)", "", m.direction);
+  add("direction_correlation_p2", "P2(u(0).u(t))", "", m.direction_p2);
+  return row;
+}
+
+Row collision_row(const std::string& run, const Collision& c) {
+  Row row{{"run", "run", "", run}};
+  row.push_back({"id_1", "id 1", "", c.id_1});
+  row.push_back({"id_2", "id 2", "", c.id_2});
+  row.push_back({"begin_s", "begin", "s", c.begin});
+  row.push_back({"duration_s", "duration", "s", c.end - c.begin});
+  row.push_back({"normal_speed_m_per_s", "speed of approach", "m/s", c.normal_speed});
+  row.push_back({"tangential_speed_m_per_s", "tangential speed", "m/s", c.tangential_speed});
+  row.push_back({"departure_speed_m_per_s", "speed of departure", "m/s", c.departure_speed});
+  row.push_back({"largest_overlap_m", "largest overlap", "m", c.largest_overlap});
+  return row;
+}
+
+/// The table of all collisions; what is not whole is counted on standard error.
+int list_collisions(const TrajectoryOptions& options) {
+  Table table{"Collisions", {}};
+  std::string name;
+  auto collisions = std::make_unique<Collisions>();
+  const auto end_run = [&] {
+    if (!name.empty())
+      fmt::print(stderr, "{}: {} pairs touched from the start, {} touch at the end\n", name,
+                 collisions->from_the_start(), collisions->not_ended());
+  };
+  const int code = for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
+    const std::optional<double> time = time_of(chosen.frame, options.time_step);
+    if (!time)
+      throw InputError("the file does not state the time: give --dt");
+    if (chosen.run != name) {
+      end_run();
+      name = chosen.run;
+      collisions = std::make_unique<Collisions>();
+    }
+    for (const Collision& c : collisions->take(chosen.set, *time))
+      table.rows.push_back(collision_row(name, c));
+  });
+  end_run();
+  write_table(options.frames, table);
+  return code;
+}
+
+int run(const TrajectoryOptions& options) {
+  if (options.lists_collisions)
+    return list_collisions(options);
+  std::vector<FollowedRun> runs;
+  const int code = for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
+    if (runs.empty() || runs.back().name != chosen.run)
+      runs.push_back({chosen.run, Trajectories(options.origins, options.apart), {}, {}});
+    FollowedRun& followed = runs.back();
+    followed.trajectories.take(chosen.set, PeriodicCell(chosen.set.box));
+    followed.times.push_back(time_of(chosen.frame, options.time_step));
+    followed.steps.push_back(chosen.frame.timestep);
+    if (!options.per_particle.empty())
+      write_ways(options, chosen, followed.trajectories);
+  });
+  Table table{"Trajectories", {}};
+  for (const FollowedRun& followed : runs)
+    for (const auto& entry : followed.trajectories.sums())
+      table.rows.push_back(lag_row(followed, entry.first));
+  write_table(options.frames, table);
+  return code;
+}
+
+} // namespace
+
+void add_trajectory_command(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<TrajectoryOptions>();
+  options->frames.frames = "all";
+  CLI::App* command = program.add_subcommand(
+      "trajectory",
+      "mean square displacement and rotation over time, ways of particles, collisions");
+  command->footer(
+      "Particles are followed by their ids, through periodic boundaries; between two frames they "
+      "must move less than half of a repeating edge and turn less than half a turn. Rows: lags "
+      "between an origin and later frames, means over particles and origins. MSD: mean of |r(t) - "
+      "r(0)|^2; rotation: mean square of the summed angle vectors; u: the longest semi-axis.");
+  add_frame_options(*command, options->frames);
+  add_time_option(*command, options->time_step);
+  command
+      ->add_option("--origins", options->origins,
+                   "frames from which lags are counted, the first ones")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command->add_option("--apart", options->apart, "frames from one origin to the next")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  add_particle_values_option(*command, options->per_particle);
+  command->add_flag("--collisions", options->lists_collisions,
+                    "lists the collisions of pairs instead: duration and relative velocity");
+  command->callback([options, &exit_code] {
+    try {
+      exit_code = run(*options);
+    } catch (const InputError& error) {
+      report_error(error.what());
+      exit_code = exit_bad_data;
+    }
+  });
+}
+
+} // namespace ellipsoid::post

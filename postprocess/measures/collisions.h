@@ -1,0 +1,60 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Collisions of pairs of particles in a series of frames: when they touch, for how long, how fast
+// they came.
+#pragma once
+
+#include "contacts.h"
+#include "periodic_cell.h"
+
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace ellipsoid::post {
+
+/// A pair that came together and parted again.
+struct Collision {
+  std::int64_t id_1 = 0, id_2 = 0;
+  double begin = 0.0, end = 0.0; ///< in the middle of the frames between which it was (time)
+  /// In the last frame before the contact, at its point: speed of approach along the normal, and
+  /// across it (velocity).
+  double normal_speed = 0.0, tangential_speed = 0.0;
+  double largest_overlap = 0.0; ///< in the frames (length)
+  double departure_speed = 0.0; ///< along the normal in the first frame after it (velocity)
+};
+
+/// Follows all pairs from frame to frame. Times are known to the distance of the frames.
+class Collisions {
+ public:
+  /// The next frame. Throws InputError without velocities and
+  /// angular velocities.
+  /// @return the collisions that ended before it
+  std::vector<Collision> take(const ParticleSet& set, double time);
+
+  std::size_t from_the_start() const { return m_from_the_start; } ///< pairs not seen to begin
+  std::size_t not_ended() const { return m_touching.size(); }     ///< pairs that touch now
+
+ private:
+  struct Touching {
+    Collision collision;
+    Vector3 normal, lever_1, lever_2; ///< of the first frame of the contact; from the centres
+    bool is_whole = false;            ///< its beginning was seen
+  };
+  struct Motion {
+    Vector3 velocity, spin;
+  };
+  using Pair = std::pair<std::int64_t, std::int64_t>;
+
+  static Vector3 relative_velocity(const Motion& first, const Motion& second,
+                                   const Touching& contact);
+
+  bool m_has_frame = false;
+  double m_time = 0.0; ///< of the last frame
+  std::size_t m_from_the_start = 0;
+  std::map<Pair, Touching> m_touching;
+  std::map<std::int64_t, Motion> m_motions; ///< of the last frame
+};
+
+} // namespace ellipsoid::post

@@ -1,0 +1,155 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "flow_through.h"
+
+#include "bed.h"
+#include "body_properties.h"
+#include "wall/triangle_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ellipsoid::post {
+namespace {
+
+/// Unit quaternion that turns `axis` to z.
+Quaternion turning_to_z(const Vector3& axis) {
+  if (axis.z < -1.0 + 1.0e-12)
+    return {0.0, 1.0, 0.0, 0.0};
+  const Vector3 z{0.0, 0.0, 1.0}, turn = cross(axis, z);
+  return normalized(Quaternion{1.0 + axis.z, turn.x, turn.y, turn.z});
+}
+
+/// Share of the union of a body's spheres with dot(normal, r - point) > 0.
+double share_of_spheres(const ParticleSet& set, const Particle& particle, const Vector3& point,
+                        const Vector3& normal) {
+  const Rotation3 turn = rotation(turning_to_z(normal));
+  ParticleSet alone; // turned so that the normal is z
+  double low = 1.0e300, high = -1.0e300;
+  for (std::size_t k = 0; k < particle.sphere_count; ++k) {
+    const Sphere& s = set.spheres[particle.first_sphere + k];
+    alone.spheres.push_back({turn.to_space(s.centre - point), s.radius});
+    low = std::min(low, alone.spheres.back().centre.z - s.radius);
+    high = std::max(high, alone.spheres.back().centre.z + s.radius);
+  }
+  if (low >= 0.0 || high <= 0.0)
+    return low >= 0.0 ? 1.0 : 0.0;
+  Particle body = particle;
+  body.first_sphere = 0;
+  body.centre = turn.to_space(particle.centre - point);
+  // sections are looked for within the semi-axes about the centre
+  const double reach = std::max(high - body.centre.z, body.centre.z - low);
+  body.semiaxes = {reach, reach, reach};
+  alone.particles.push_back(body);
+  BedRegion region;
+  const double wide = 4.0 * (high - low) + 4.0 * reach;
+  region.x0 = body.centre.x - wide;
+  region.x1 = body.centre.x + wide;
+  region.y0 = body.centre.y - wide;
+  region.y1 = body.centre.y + wide;
+  constexpr int planes = 200;
+  region.z0 = low;
+  region.z1 = 0.0;
+  const double below = bed_porosity(alone, region, planes).solid_volume;
+  region.z0 = 0.0;
+  region.z1 = high;
+  const double beyond = bed_porosity(alone, region, planes).solid_volume;
+  return beyond / (below + beyond);
+}
+
+} // namespace
+
+double share_beyond(const ParticleSet& set, const Particle& particle, const Vector3& point,
+                    const Vector3& normal) {
+  if (!particle.is_smooth())
+    return share_of_spheres(set, particle, point, normal);
+  // mapped to the unit ball the plane is this far beyond the centre
+  const Vector3 n = rotation(particle.orientation).to_body(normal);
+  const Vector3& s = particle.semiaxes;
+  const double reach = norm(Vector3{s.x * n.x, s.y * n.y, s.z * n.z});
+  const double h = dot(point - particle.centre, normal) / reach;
+  if (h >= 1.0 || h <= -1.0)
+    return h >= 1.0 ? 0.0 : 1.0;
+  return 0.25 * (1.0 - h) * (1.0 - h) * (2.0 + h); // cap of the unit ball over 4 pi / 3
+}
+
+/// +1 forward, -1 backward, 0 not through the gate.
+int FlowThrough::crossing(const Vector3& from, const Vector3& to) const {
+  int sum = 0;
+  for (const std::array<Vector3, 3>& triangle : m_gate.triangles)
+    if (crosses(triangle, from, to, 0.0, 1.0))
+      sum += dot(unit_normal(triangle), to - from) > 0.0 ? 1 : -1;
+  if (!m_gate.triangles.empty())
+    return sum;
+  const double before = dot(from - m_gate.point, m_gate.normal);
+  const double after = dot(to - m_gate.point, m_gate.normal);
+  if ((before < 0.0) == (after < 0.0))
+    return 0;
+  const Vector3 place = from + (before / (before - after)) * (to - from);
+  if (!lies_in_gate(place))
+    return 0;
+  return after < 0.0 ? -1 : 1;
+}
+
+bool FlowThrough::lies_in_gate(const Vector3& centre) const {
+  if (!m_gate.radius)
+    return true;
+  const Vector3 d = centre - m_gate.point;
+  const Vector3 across = d - dot(d, m_gate.normal) * m_gate.normal;
+  return norm(across) <= *m_gate.radius;
+}
+
+/// Adds what one particle's step from frame to frame means.
+void FlowThrough::move(const Particle& particle, const State& before, const State& now, double mass,
+                       const PeriodicCell& cell, FlowStep& step) const {
+  const Vector3 straight = particle.centre - before.centre, way = cell.nearest(straight);
+  const Vector3 around = straight - way; // the box, from the image at the end to that at the start
+  int passed = crossing(particle.centre - way, particle.centre);
+  constexpr double rounding = 1.0e-9; // of a length
+  const bool goes_around = norm(around) > rounding * norm(straight);
+  const bool leaves_plane = std::abs(dot(around, m_gate.normal)) > rounding * norm(around);
+  const bool is_bounded = m_gate.radius || !m_gate.triangles.empty();
+  if (goes_around && (leaves_plane || is_bounded)) // the gate may be at the other image
+    passed += crossing(before.centre, before.centre + way);
+  if (goes_around && leaves_plane)
+    step.volume_share_mass.reset();
+  if (passed > 0) {
+    ++step.forward;
+    step.mass_forward += mass;
+  } else if (passed < 0) {
+    ++step.backward;
+    step.mass_backward += mass;
+  }
+  if (step.volume_share_mass && (lies_in_gate(particle.centre) || lies_in_gate(before.centre)))
+    *step.volume_share_mass += mass * (now.beyond - before.beyond);
+}
+
+std::optional<FlowStep> FlowThrough::take(const ParticleSet& set, const PeriodicCell& cell,
+                                          const std::optional<double>& density) {
+  FlowStep step;
+  if (m_gate.triangles.empty())
+    step.volume_share_mass = 0.0;
+  std::map<std::int64_t, State> states;
+  for (const Particle& p : set.particles) {
+    if (!density && !(p.mass > 0.0))
+      throw InputError("a flow needs a column \"mass\" with masses > 0, or --density");
+    const double mass = density ? *density * body_volume(set, p) : p.mass;
+    State state{p.centre, 0.0};
+    if (m_gate.triangles.empty())
+      state.beyond = share_beyond(set, p, m_gate.point, m_gate.normal);
+    if (const auto before = m_states.find(p.id); before != m_states.end()) {
+      move(p, before->second, state, mass, cell, step);
+      m_states.erase(before);
+    } else {
+      ++step.appeared;
+    }
+    states[p.id] = state;
+  }
+  step.vanished = m_states.size();
+  m_states = std::move(states);
+  if (m_has_frame)
+    return step;
+  m_has_frame = true;
+  return {};
+}
+
+} // namespace ellipsoid::post

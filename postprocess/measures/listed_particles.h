@@ -1,0 +1,24 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#pragma once
+
+#include "particles.h"
+
+#include <string>
+#include <unordered_map>
+
+namespace ellipsoid::post {
+
+/// The particles that a list of contacts names by their ids.
+class ListedParticles {
+ public:
+  /// @param[in] list and the particles of the same moment; both must outlive it
+  ListedParticles(const Frame& list, const ParticleSet& set);
+  /// Index of the particle named in a row. Throws InputError for one that is not there.
+  std::size_t at(const std::string& column, std::size_t row) const;
+
+ private:
+  const Frame& m_list;
+  std::unordered_map<double, std::size_t> m_index_of_id;
+};
+
+} // namespace ellipsoid::post

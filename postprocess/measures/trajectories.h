@@ -1,0 +1,71 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// How far particles have gone and turned since earlier frames of a run.
+#pragma once
+
+#include "particles.h"
+#include "periodic_cell.h"
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace ellipsoid::post {
+
+/// Means over particles (and origins) that a lag apart are both there.
+struct LagMeans {
+  std::size_t pairs = 0;         ///< of a particle and an origin
+  Vector3 displacement;          ///< mean (length)
+  Vector3 squared_displacement;  ///< mean of the squares of the components (length^2)
+  double squared_rotation = 0.0; ///< mean square of the angle vector (rad^2)
+  double direction = 0.0;        ///< mean of u(0) . u(t), u along the body's longest semi-axis
+  double direction_p2 = 0.0;     ///< mean of P2(u(0) . u(t))
+};
+
+/// Follows particles by their ids from frame to frame; needs memory for one frame and the origins.
+/// Between two frames a particle must move less than half of an edge that repeats, and turn by less
+/// than half a turn.
+class Trajectories {
+ public:
+  /// @param[in] origins frames kept to compare with, the first ones
+  /// @param[in] apart frames from one origin to the next
+  Trajectories(std::size_t origins, std::size_t apart) : m_most(origins), m_apart(apart) {}
+
+  /// The next frame; the cell is that of the frame.
+  void take(const ParticleSet& set, const PeriodicCell& cell);
+
+  /// Means by the number of frames between origin and frame.
+  const std::map<std::size_t, LagMeans>& sums() const { return m_sums; }
+  /// Means of one lag.
+  LagMeans means(std::size_t lag) const;
+
+  /// Way of a particle since it was first seen (length).
+  Vector3 way(std::int64_t id) const { return m_states.at(id).way; }
+  Vector3 rotation_vector(std::int64_t id) const { return m_states.at(id).angle; }
+
+ private:
+  struct State {
+    Vector3 centre; ///< as in the last frame
+    Quaternion orientation;
+    Vector3 way, angle;        ///< summed up since it was first seen
+    Vector3 direction;         ///< of the longest semi-axis
+    std::size_t last_seen = 0; ///< number of the frame
+  };
+  struct Origin {
+    std::size_t frame = 0;
+    std::map<std::int64_t, State> states;
+  };
+
+  void move(const ParticleSet& set, const PeriodicCell& cell);
+  void compare(const Origin& origin);
+
+  std::size_t m_most, m_apart, m_frame = 0;
+  std::map<std::int64_t, State> m_states;
+  std::vector<Origin> m_origins;
+  std::map<std::size_t, LagMeans> m_sums;
+};
+
+/// The vector of the rotation from p to q: axis times angle, at most half a turn (rad).
+Vector3 rotation_between(const Quaternion& p, const Quaternion& q);
+
+} // namespace ellipsoid::post
