@@ -30,5 +30,6 @@ void MakeFolder::command(int narg, char** arg) {
   }
   MPI_Bcast(&failed, 1, MPI_INT, 0, world);
   if (failed)
-    error->all(FLERR, ("make_folder: '" + std::string(arg[0]) + "' cannot be made: " + reason).c_str());
+    error->all(FLERR,
+               ("make_folder: '" + std::string(arg[0]) + "' cannot be made: " + reason).c_str());
 }
