@@ -3,9 +3,9 @@
 
 #include "byte_source.h"
 #include "input_error.h"
+#include "whole_token.h"
 
 #include <algorithm>
-#include <charconv>
 #include <fmt/format.h>
 #include <iterator>
 
@@ -38,10 +38,8 @@ std::vector<std::string> fields_of(std::string_view line, const FilePlace& place
 Value value_of(const std::string& field) {
   if (field.empty())
     return std::monostate();
-  double number = 0.0;
-  const auto result = std::from_chars(field.data(), field.data() + field.size(), number);
-  if (result.ec == std::errc() && result.ptr == field.data() + field.size())
-    return number;
+  if (const auto number = whole_token<double>(field))
+    return *number;
   return field;
 }
 

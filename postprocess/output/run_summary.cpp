@@ -3,9 +3,9 @@
 
 #include "csv_table.h"
 #include "spread.h"
+#include "whole_token.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
@@ -33,10 +33,8 @@ std::string label_of(const Value* value) {
 bool comes_before(const Quantity& p, const Quantity& q) {
   const auto ranked = [](const Quantity& label) {
     const std::string text = std::get<std::string>(label.value);
-    double number = 0.0;
-    const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool is_word = result.ec != std::errc() || result.ptr != text.data() + text.size();
-    return std::make_tuple(is_word, is_word ? 0.0 : number, text);
+    const auto number = whole_token<double>(text);
+    return std::make_tuple(!number, number.value_or(0.0), text);
   };
   return ranked(p) < ranked(q);
 }

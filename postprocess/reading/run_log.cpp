@@ -2,9 +2,9 @@
 #include "run_log.h"
 
 #include "byte_source.h"
+#include "whole_token.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <mutex>
@@ -45,14 +45,6 @@ std::vector<std::string_view> words_of(std::string_view line) {
   for (auto word = next_token(line); !word.empty(); word = next_token(line))
     words.push_back(word);
   return words;
-}
-
-template <class Number> std::optional<Number> whole_token(std::string_view word) {
-  Number value{};
-  const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (result.ec != std::errc() || result.ptr != word.data() + word.size())
-    return std::nullopt;
-  return value;
 }
 
 /// "fix ID GROUP gravity G vector X Y Z"

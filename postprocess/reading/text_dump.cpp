@@ -3,9 +3,9 @@
 
 #include "frame_rows.h"
 #include "number_text.h"
+#include "whole_token.h"
 
 #include <algorithm>
-#include <charconv>
 #include <fmt/format.h>
 
 namespace ellipsoid::post {
@@ -76,11 +76,10 @@ double TextDumpReader::number(std::string_view token, const char* expected) cons
 }
 
 std::int64_t TextDumpReader::integer(std::string_view token, const char* expected) const {
-  std::int64_t value = 0;
-  const auto result = std::from_chars(token.data(), token.data() + token.size(), value);
-  if (token.empty() || result.ec != std::errc() || result.ptr != token.data() + token.size())
+  const auto value = whole_token<std::int64_t>(token);
+  if (!value)
     throw unexpected(here(), expected, quoted(std::string(token)));
-  return value;
+  return *value;
 }
 
 namespace {

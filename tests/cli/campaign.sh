@@ -90,7 +90,7 @@ for wrong in "a b" 'a$(touch executed)' 'a;b' "a'b"; do
     fail "no word of the path: $(cat message)"
 done
 [[ ! -e executed ]] || fail "a path was executed"
-if (cd "$ELLIPSOID_SOURCE/inputs" && "$ELLIPSOID_BIN/liggghts" -in piling.in -log none -screen none \
+if (cd "$ELLIPSOID_SOURCE/inputs" && "$ELLIPSOID_BIN/liggghts" -in piling.in -log none \
   -var out "$OLDPWD/a b" >"$OLDPWD/message" 2>&1); then
   fail "the engine took a path with a blank"
 fi
