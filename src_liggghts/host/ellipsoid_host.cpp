@@ -3,8 +3,8 @@
 
 #include "fix_property_global.h"
 #include "lammps.h"
+#include "whole_number.h"
 
-#include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -79,12 +79,9 @@ std::string ArgumentReader::word(const std::string& keyword) {
 
 double ArgumentReader::number(const std::string& keyword, double smallest, double largest) {
   const std::string token = word(keyword);
-  char* end = nullptr;
-  errno = 0;
-  const double value = std::strtod(token.c_str(), &end);
-  const bool whole = !token.empty() && *end == '\0' && errno == 0 && std::isfinite(value);
-  if (whole && value >= smallest && value <= largest)
-    return value;
+  const std::optional<double> value = whole_number(token.c_str());
+  if (value && *value >= smallest && *value <= largest)
+    return *value;
   std::string range = "a finite number";
   if (smallest > -HUGE_VAL)
     range += " >= " + readable(smallest);
@@ -103,12 +100,9 @@ double ArgumentReader::positive(const std::string& keyword) {
 
 int ArgumentReader::integer(const std::string& keyword, int smallest, int largest) {
   const std::string token = word(keyword);
-  char* end = nullptr;
-  errno = 0;
-  const long value = std::strtol(token.c_str(), &end, 10);
-  const bool whole = !token.empty() && *end == '\0' && errno == 0;
-  if (whole && value >= smallest && value <= largest)
-    return static_cast<int>(value);
+  const std::optional<long> value = whole_integer(token.c_str());
+  if (value && *value >= smallest && *value <= largest)
+    return static_cast<int>(*value);
   complain("keyword '" + keyword + "' has the value '" + token + "', allowed is an integer from " +
            std::to_string(smallest) + " to " + std::to_string(largest));
 }

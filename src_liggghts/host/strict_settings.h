@@ -5,9 +5,8 @@
 #define ELLIPSOID_STRICT_SETTINGS_H
 
 #include "settings.h"
+#include "whole_number.h"
 
-#include <cerrno>
-#include <cstdlib>
 #include <string>
 
 namespace LIGGGHTS {
@@ -27,11 +26,9 @@ class ContactsSetting : public Setting {
   int parseArguments(char** args) override {
     if (name != args[0])
       return 0;
-    char* end = nullptr;
-    errno = 0;
-    const long value = std::strtol(args[1], &end, 10);
-    if (end != args[1] && *end == '\0' && errno == 0 && value >= 1 && value <= largest) {
-      current_.setValue(static_cast<int>(value));
+    const std::optional<long> value = ellipsoid_host::whole_integer(args[1]);
+    if (value && *value >= 1 && *value <= largest) {
+      current_.setValue(static_cast<int>(*value));
       return 2;
     }
     error_message = "keyword '" + name + "' has the value '" + args[1] +

@@ -72,13 +72,13 @@ void MultisphereContacts::begin_lists() {
   pairs_.restart(static_cast<std::size_t>(atom->nlocal + atom->nghost));
   near_pairs_ = 0.0;
   pairs_.for_each([this](std::uint32_t, int, int j) { near_pairs_ += share(j); });
-  watch_.restart(pairs_.size());
+  near_spheres_.restart(pairs_.size());
 }
 
 /// @return whether there are spheres to test in the next step; the next check is deferred if not
 bool MultisphereContacts::update_contacts(NearPair& pair, PairForces& forces) {
   const Vector3 distance = vector(particles_.x[pair.j]) - vector(particles_.x[pair.i]);
-  if (watch_.is_due(pair.index, clocks().time(pair.i), clocks().time(pair.j)) &&
+  if (near_spheres_.is_due(pair.index, clocks().time(pair.i), clocks().time(pair.j)) &&
       !search(pair, distance, forces))
     return false;
   find_touching(pair, distance);
@@ -95,17 +95,17 @@ bool MultisphereContacts::search(const NearPair& pair, const Vector3& distance,
                                  PairForces& forces) {
   const int i = pair.i, j = pair.j;
   const double approach = clocks().approach(i, j);
-  const ellipsoid::ContactWatch::Search result = watch_.search(
+  const ellipsoid::NearSpheres::Search result = near_spheres_.search(
       pair.index, chains_.pose(i), chains_.pose(j), distance, search_gap(i, j, approach));
   counts_.values[ContactCounts::tested] += share(j) * result.tested;
   if (*pair.flag)
     recall_slots(pair, forces);
-  if (watch_.is_empty(pair.index)) {
+  if (near_spheres_.is_empty(pair.index)) {
     *pair.flag = 0;
     pairs_.defer(pair.index, i, result.gap, approach, clocks());
     return false;
   }
-  watch_.set_deadlines(pair.index, clocks().deadlines(i, j, result.gap, approach));
+  near_spheres_.set_deadlines(pair.index, clocks().deadlines(i, j, result.gap, approach));
   return true;
 }
 
@@ -118,11 +118,12 @@ double MultisphereContacts::search_gap(int i, int j, double approach) {
 }
 
 void MultisphereContacts::find_touching(const NearPair& pair, const Vector3& distance) {
-  const auto tested = static_cast<std::size_t>(watch_.end(pair.index) - watch_.begin(pair.index));
+  const auto tested =
+      static_cast<std::size_t>(near_spheres_.end(pair.index) - near_spheres_.begin(pair.index));
   if (touching_.size() < tested)
     touching_.resize(2 * tested);
-  found_ = watch_.find_touching(pair.index, chains_.pose(pair.i), chains_.pose(pair.j), distance,
-                                touching_.data());
+  found_ = near_spheres_.find_touching(pair.index, chains_.pose(pair.i), chains_.pose(pair.j),
+                                       distance, touching_.data());
   counts_.values[ContactCounts::tested] += share(pair.j) * static_cast<double>(tested);
 }
 
@@ -133,7 +134,7 @@ void MultisphereContacts::add_contacts(const NearPair& pair, const Vector3& dist
   *pair.flag = ContactModels::CONTACT_SURFACE_MODEL;
   const double weight = multicontact_weight(rule_, found_);
   for (int k = 0; k < found_; ++k) {
-    const ellipsoid::ContactWatch::Touching& touching = touching_[static_cast<std::size_t>(k)];
+    const ellipsoid::NearSpheres::Touching& touching = touching_[static_cast<std::size_t>(k)];
     const ellipsoid::SphereContact& c = touching.contact;
     forces.add({pair.i, pair.j, pair.flag, &pair.history[slot_values_ * touching.spheres->slot],
                 weight, c.sphere_i, c.sphere_j},
@@ -145,7 +146,7 @@ void MultisphereContacts::add_contacts(const NearPair& pair, const Vector3& dist
 /// After a search: which of its spheres have a slot from before. Contacts of other spheres are
 /// over.
 void MultisphereContacts::recall_slots(const NearPair& pair, PairForces& forces) {
-  SpherePair *begin = watch_.begin(pair.index), *end = watch_.end(pair.index);
+  SpherePair *begin = near_spheres_.begin(pair.index), *end = near_spheres_.end(pair.index);
   for (int s = 0; s < slots_; ++s) {
     double* slot = &pair.history[slot_values_ * s];
     if (slot[key_sum] == 0.0)
@@ -164,7 +165,8 @@ void MultisphereContacts::recall_slots(const NearPair& pair, PairForces& forces)
 /// Known contacts keep their slots, contacts that ended leave theirs, new ones get free slots.
 void MultisphereContacts::update_slots(const NearPair& pair, PairForces& forces) {
   const auto *touching = touching_.data(), *last = touching + found_;
-  for (SpherePair *s = watch_.begin(pair.index), *end = watch_.end(pair.index); s != end; ++s) {
+  for (SpherePair *s = near_spheres_.begin(pair.index), *end = near_spheres_.end(pair.index);
+       s != end; ++s) {
     if (touching != last && touching->spheres == s) {
       ++touching;
     } else if (s->slot >= 0) {

@@ -9,7 +9,7 @@
 #ifndef MULTISPHERE_CONTACTS_H_
 #define MULTISPHERE_CONTACTS_H_
 
-#include "multisphere/multisphere_watch.h"
+#include "multisphere/near_spheres.h"
 #include "multisphere_particles.h"
 #include "neighbour_pairs.h"
 #include "pair_forces.h"
@@ -28,7 +28,7 @@ class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers 
 
  private:
   enum { key_sum, key_difference }; // offsets in a slot
-  using SpherePair = ellipsoid::ContactWatch::SpherePair;
+  using SpherePair = ellipsoid::NearSpheres::SpherePair;
 
   /// A search finds the spheres that may touch within so many time steps if motions change as
   /// usual; within fewer steps for fine chains, where a gap has the more spheres the wider it is.
@@ -42,9 +42,9 @@ class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers 
   NeighbourPairs pairs_;
   double near_pairs_ = 0.0;
   ContactCounts counts_;
-  ellipsoid::ContactWatch watch_;
-  std::vector<ellipsoid::ContactWatch::Touching> touching_; // room for all spheres of a pair
-  int found_ = 0;                                           // touching spheres of the pair at hand
+  ellipsoid::NearSpheres near_spheres_;
+  std::vector<ellipsoid::NearSpheres::Touching> touching_; // room for all spheres of a pair
+  int found_ = 0;                                          // touching spheres of the pair at hand
   int slot_values_ = 0, slots_ = 0;
   ellipsoid::MulticontactRule rule_ = ellipsoid::MulticontactRule::sum;
 

@@ -6,8 +6,6 @@
 #include "multisphere/motion_batch.h"
 #include "particle_arrays.h"
 
-#include <algorithm>
-
 using namespace LIGGGHTS;
 
 void SurfaceMotions::restart(const LAMMPS_NS::Atom& atom, double time_step, std::size_t count) {
@@ -33,15 +31,11 @@ bool SurfaceMotions::update(const LAMMPS_NS::Atom& atom, double time_step, bool 
     return true;
   }
   const ParticleArrays particles(atom);
-  clocks_.begin_step();
-  ellipsoid::Motions motions;
-  for (std::size_t first = 0; first < count; first += ellipsoid::Motions::capacity) {
+  clocks_.advance_all([&](std::size_t first, ellipsoid::Motions& motions) {
     const int i = static_cast<int>(first);
-    motions.count = std::min(ellipsoid::Motions::capacity, static_cast<int>(count - first));
-    ellipsoid::take_motions({&turning_radii_[first], particles.x[i], particles.quaternion[i],
-                             &centres_[3 * first], &orientations_[4 * first]},
-                            motions);
-    clocks_.advance_from(first, motions);
-  }
+    ellipsoid::measure_motions({&turning_radii_[first], particles.x[i], particles.quaternion[i],
+                                &centres_[3 * first], &orientations_[4 * first]},
+                               motions);
+  });
   return false;
 }

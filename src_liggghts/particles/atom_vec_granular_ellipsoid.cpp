@@ -11,9 +11,9 @@
 #include "motion/rigid_body.h"
 #include "multisphere/multisphere_template.h"
 #include "multisphere_particles.h"
+#include "whole_number.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
 using namespace LAMMPS_NS;
@@ -25,13 +25,12 @@ constexpr int data_columns = smooth_columns + 2; // without the image flags
 constexpr int image_columns = 3;
 
 double number(Error* error, const char* token, const char* column, const char* atom) {
-  char* end = nullptr;
-  const double value = std::strtod(token, &end);
-  if (end == token || *end != '\0' || !std::isfinite(value))
+  const std::optional<double> value = ellipsoid_host::whole_number(token);
+  if (!value)
     error->one(FLERR, (std::string("Atoms section, atom ") + atom + ": column " + column +
                        " has the value '" + token + "', allowed is a finite number")
                           .c_str());
-  return value;
+  return value.value_or(0.0); // the call above ends the program
 }
 
 double positive(Error* error, const char* token, const char* column, const char* atom) {

@@ -12,11 +12,10 @@
 #include "modify.h"
 #include "multisphere_particles.h"
 #include "random_park.h"
+#include "whole_number.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -47,12 +46,9 @@ class BaseArguments {
 
   /// The host's generator takes primes only, and its own message does not say whose seed it was.
   static void check_seed(Error* error, const char* id, const char* token) {
-    char* end = nullptr;
-    errno = 0;
-    const long seed = std::strtol(token, &end, 10);
-    const bool whole = end != token && *end == '\0' && errno == 0;
-    if (whole && seed >= smallest_seed && seed <= largest_seed &&
-        MathExtraLiggghts::isPrime(static_cast<int>(seed)))
+    const std::optional<long> seed = ellipsoid_host::whole_integer(token);
+    if (seed && *seed >= smallest_seed && *seed <= largest_seed &&
+        MathExtraLiggghts::isPrime(static_cast<int>(*seed)))
       return;
     error->all(FLERR,
                (std::string("Fix particletemplate/ellipsoid (id ") + id + "): the seed is '" +

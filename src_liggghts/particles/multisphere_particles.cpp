@@ -7,7 +7,7 @@
 #include "fix_property_atom.h"
 #include "modify.h"
 #include "multisphere/motion_batch.h"
-#include "multisphere/multisphere_watch.h"
+#include "multisphere/near_spheres.h"
 #include "neighbor.h"
 #include "particle_arrays.h"
 #include "update.h"
@@ -127,17 +127,13 @@ void MultisphereParticles::begin_lists(std::size_t count) {
 }
 
 void MultisphereParticles::move() {
-  clocks_.begin_step();
   const LIGGGHTS::ParticleArrays particles(*atom);
-  ellipsoid::Motions motions;
-  for (std::size_t first = 0; first < poses_.size(); first += ellipsoid::Motions::capacity) {
-    const int i = static_cast<int>(first), left = static_cast<int>(poses_.size() - first);
-    motions.count = std::min(ellipsoid::Motions::capacity, left);
-    ellipsoid::take_motions({particles.shape[i], particles.x[i], particles.quaternion[i],
-                             &centres_[3 * first], &poses_[first]},
-                            motions);
-    clocks_.advance_from(first, motions);
-  }
+  clocks_.advance_all([&](std::size_t first, ellipsoid::Motions& motions) {
+    const int i = static_cast<int>(first);
+    ellipsoid::measure_motions({particles.shape[i], particles.x[i], particles.quaternion[i],
+                                &centres_[3 * first], &poses_[first]},
+                               motions);
+  });
 }
 
 } // namespace ellipsoid_host

@@ -244,6 +244,24 @@ class Batches(unittest.TestCase):
                     difference = np.abs(pairs[step] - expected) / np.where(scale > 0.0, scale, 1.0)
                     self.assertLess(difference.max(), 1e-9, law)
 
+    def test_after_a_restart_file(self):
+        """The models of the file, without pair_style: in batches as before, with the same forces."""
+        law = self.LAWS[2]
+        setup = crowd_setup("smooth")
+        setup.pair = f"gran/ellipsoid {law} surface smooth"
+        first = setup.with_particles(crowd((2.6e-3, 2.3e-3, 1.8e-3)), "kept.data") + "neigh_modify page 1000000\n"
+        run(with_properties(first, law) + "fix motion all nve/ellipsoid\nrun 100\nwrite_restart kept.restart\n"
+            + dump("written.dump", 100) + "run 100\n", name="in.written")
+        again = with_properties(setup.header() + "read_restart kept.restart\n" + setup.properties(), law)
+        again = re.sub(r"^pair_(style|coeff).*\n", "", again, flags=re.MULTILINE)
+        text = run(again + "neigh_modify page 1000000\nfix motion all nve/ellipsoid\n" + dump("read.dump", 100)
+                   + "run 100\n", name="in.read").text
+        self.assertIn("forces of contacts are computed in batches", text)
+        written, read = (read_dump(f"{name}.dump")[1] for name in ("written", "read"))
+        for columns in ("fx", "fy", "fz"), ("tqx", "tqy", "tqz"), ("vx", "vy", "vz"):
+            np.testing.assert_array_equal(vectors(read, *columns), vectors(written, *columns))
+        self.assertGreater(np.abs(vectors(read, "fx", "fy", "fz")).max(), 0.0)
+
     def test_what_does_not_run_in_batches_says_so(self):
         for law, reason in (("model luding tangential history", "this 'model'"),
                             ("model hertz tangential history rolling_friction epsd", "this 'rolling_friction'")):

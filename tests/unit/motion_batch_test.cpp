@@ -4,7 +4,9 @@
 #include "multisphere/motion_batch.h"
 
 #include "ellipsoid/ellipsoid_contact.h"
-#include "multisphere/multisphere_watch.h"
+#include "multisphere/near_spheres.h"
+
+#include "chain_motion.h"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +52,7 @@ TEST(MotionBatch, TurnsBoundWhatSurfacesDo) {
     const std::vector<double> q_before = last_q, x_before = last_x;
     Motions motions;
     motions.count = count;
-    take_motions({radii.data(), x.data(), q.data(), last_x.data(), last_q.data()}, motions);
+    measure_motions({radii.data(), x.data(), q.data(), last_x.data(), last_q.data()}, motions);
     EXPECT_EQ(last_x, x);
     EXPECT_EQ(last_q, q);
     for (int k = 0; k < count; ++k) {
@@ -96,7 +98,7 @@ TEST(MotionBatch, ChainsMoveAsOneByOne) {
     const std::vector<ChainPose> before = poses;
     Motions motions;
     motions.count = count;
-    take_motions({axes.data(), x.data(), q.data(), last_x.data(), poses.data()}, motions);
+    measure_motions({axes.data(), x.data(), q.data(), last_x.data(), poses.data()}, motions);
     EXPECT_EQ(last_x, x);
     for (std::size_t k = 0; k < poses.size(); ++k) {
       EXPECT_EQ(poses[k].chain, after[k].chain);

@@ -22,13 +22,13 @@ inline void take_displacements(const double* now, double* before, int count,
   }
 }
 
-inline void take_all_loop(Rows& rows, int count) {
+inline void measure_loop(Rows& rows, int count) {
   const double* radii = rows.poses.turning_radii;
   double* turns = rows.motions.turns;
   alignas(64) double squares[4 * Motions::capacity];
   take_displacements(rows.poses.centres, rows.poses.last_centres, count,
                      rows.motions.displacements);
-  take_squared_changes(rows.poses.orientations, rows.poses.last_orientations, 4 * count, squares);
+  square_changes(rows.poses.orientations, rows.poses.last_orientations, 4 * count, squares);
 #pragma GCC ivdep
   for (int k = 0; k < count; ++k)
     turns[k] = radii[k] * largest_angle(std::sqrt(squares[4 * k] + squares[4 * k + 1] +
@@ -40,7 +40,7 @@ struct ChainStep {
   Motions& motions;
 };
 
-inline void take_chains_loop(ChainStep& step, int count) {
+inline void measure_chains_loop(ChainStep& step, int count) {
   take_displacements(step.chains.centres, step.chains.last_centres, count,
                      step.motions.displacements);
   using Column = double[Motions::capacity];
@@ -74,14 +74,14 @@ inline void take_chains_loop(ChainStep& step, int count) {
 
 } // namespace
 
-void take_motions(const PoseRows& poses, Motions& motions) {
+void measure_motions(const PoseRows& poses, Motions& motions) {
   Rows rows{poses, motions};
-  WidestVersion<take_all_loop>::run(rows, motions.count);
+  WidestVersion<measure_loop>::run(rows, motions.count);
 }
 
-void take_motions(const ChainRows& chains, Motions& motions) {
+void measure_motions(const ChainRows& chains, Motions& motions) {
   ChainStep step{chains, motions};
-  WidestVersion<take_chains_loop>::run(step, motions.count);
+  WidestVersion<measure_chains_loop>::run(step, motions.count);
 }
 
 } // namespace ellipsoid

@@ -38,9 +38,9 @@ struct PoseRows {
 };
 
 /// @param[in,out] motions of `motions.count` particles
-void take_motions(const PoseRows& poses, Motions& motions);
+void measure_motions(const PoseRows& poses, Motions& motions);
 
-/// The same of chains of spheres: motion() of each (multisphere_watch.h).
+/// The same of chains of spheres.
 struct ChainRows {
   const double* semiaxes;     ///< 3 each: the second is the chain's scale (length)
   const double* centres;      ///< 3 each (length)
@@ -48,6 +48,6 @@ struct ChainRows {
   double* last_centres;       ///< a step ago; become `centres`
   ChainPose* poses;           ///< a step ago; become those of now
 };
-void take_motions(const ChainRows& chains, Motions& motions);
+void measure_motions(const ChainRows& chains, Motions& motions);
 
 } // namespace ellipsoid

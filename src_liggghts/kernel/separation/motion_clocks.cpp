@@ -20,7 +20,7 @@ inline void advance_all_loop(Rows& rows, int count) {
   const double *turns = rows.now.turns, *paces = rows.paces;
   double *turns_before = rows.turns, *times = rows.times;
   alignas(64) double squares[3 * Motions::capacity];
-  take_squared_changes(rows.now.displacements, rows.displacements, 3 * count, squares);
+  square_changes(rows.now.displacements, rows.displacements, 3 * count, squares);
 #pragma GCC ivdep
   for (int k = 0; k < count; ++k) {
     times[k] += std::sqrt(squares[3 * k] + squares[3 * k + 1] + squares[3 * k + 2]) +

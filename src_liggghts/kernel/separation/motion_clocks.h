@@ -83,6 +83,20 @@ class MotionClocks {
     advance_from(body, one);
   }
 
+  /// A step of all bodies, some at a time.
+  /// @param[in] measure measure(first, motions): the motions of as many bodies as motions.count
+  /// says,
+  ///            from body `first` on
+  template <class Measure> void advance_all(const Measure& measure) {
+    begin_step();
+    Motions motions;
+    for (std::size_t first = 0; first < size(); first += Motions::capacity) {
+      motions.count = static_cast<int>(std::min<std::size_t>(Motions::capacity, size() - first));
+      measure(first, motions);
+      advance_from(first, motions);
+    }
+  }
+
   std::size_t size() const { return time_.size(); }
   /// Of a body's clock (length).
   double time(int body) const { return time_[static_cast<std::size_t>(body)]; }

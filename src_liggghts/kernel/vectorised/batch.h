@@ -37,7 +37,7 @@ template <class Columns> int filled_up(Columns& columns, int size, int width = 8
 
 /// Squares of what numbers changed by.
 /// @param[in,out] before becomes `now`
-inline void take_squared_changes(const double* now, double* before, int count, double* squares) {
+inline void square_changes(const double* now, double* before, int count, double* squares) {
 #pragma GCC ivdep
   for (int k = 0; k < count; ++k) {
     const double change = now[k] - before[k];

@@ -4,7 +4,7 @@
 //
 // A search (multisphere_contact.h) finds all pairs of spheres closer than a gap. Until both bodies
 // may have come closer by that much (motion_clocks.h), no other pair of spheres can touch, and a
-// pair of chains without such spheres needs no look at all. The proof is exact, and what touches
+// pair of chains without such spheres needs no test at all. The proof is exact, and what touches
 // does not depend on when the last search was.
 #pragma once
 
@@ -16,16 +16,7 @@
 
 namespace ellipsoid {
 
-/// Motion of a body in a step.
-/// @param[in] displacement of its centre (length)
-inline Motion motion(const ChainPose& before, const ChainPose& after, const Vector3& displacement) {
-  const SphereChain& chain = *after.chain;
-  const double grown = std::fabs(after.scale - before.scale);
-  return {displacement, after.scale * chain.half_length() * norm(after.axis - before.axis) +
-                            grown * (chain.half_length() + chain.largest_radius())};
-}
-
-class ContactWatch {
+class NearSpheres {
  public:
   /// One pair of spheres to test.
   struct SpherePair {
@@ -36,8 +27,8 @@ class ContactWatch {
 
   /// Gaps are good to search_rounding: a gap is used up to this share.
   static constexpr double usable_share = 1.0 - 1e-6;
-  /// Where no spheres have to be tested a search looks so many times farther: the pair of chains
-  /// rests until the nearest of them could touch.
+  /// Where no spheres have to be tested a search goes so many times farther: the pair of chains
+  /// is left alone until the nearest of them could touch.
   static constexpr double second_reach = 4.0;
 
   /// Forgets everything; `pairs` pairs of chains, all of them due.
@@ -46,15 +37,15 @@ class ContactWatch {
   /// Whether a pair of chains must be searched again.
   /// @param[in] time_i, time_j of the clocks of its bodies
   bool is_due(std::size_t pair, double time_i, double time_j) const {
-    const Watched& watched = watched_[pair];
-    return !(time_i < watched.until.i && time_j < watched.until.j);
+    const OfPair& of_pair = of_pairs_[pair];
+    return !(time_i < of_pair.until.i && time_j < of_pair.until.j);
   }
   /// Until then the pair is not due.
   void set_deadlines(std::size_t pair, const MotionClocks::Deadlines& until) {
-    watched_[pair].until = until;
+    of_pairs_[pair].until = until;
   }
   /// Whether the last search found no spheres to test.
-  bool is_empty(std::size_t pair) const { return watched_[pair].count == 0; }
+  bool is_empty(std::size_t pair) const { return of_pairs_[pair].count == 0; }
 
   struct Search {
     double gap; ///< until the bodies are closer by so much no other spheres touch (length)
@@ -68,8 +59,8 @@ class ContactWatch {
                 const Vector3& centre_distance, double gap);
 
   /// Spheres to test, ordered by sphere_i, then sphere_j.
-  SpherePair* begin(std::size_t pair) { return &spheres_[watched_[pair].first]; }
-  SpherePair* end(std::size_t pair) { return begin(pair) + watched_[pair].count; }
+  SpherePair* begin(std::size_t pair) { return &spheres_[of_pairs_[pair].first]; }
+  SpherePair* end(std::size_t pair) { return begin(pair) + of_pairs_[pair].count; }
 
   struct Touching {
     SpherePair* spheres;
@@ -90,12 +81,12 @@ class ContactWatch {
   }
 
  private:
-  struct Watched {
+  struct OfPair {
     MotionClocks::Deadlines until{0.0, 0.0};
     unsigned first = 0; ///< of its places in spheres_
     int count = 0, room = 0;
   };
-  std::vector<Watched> watched_;
+  std::vector<OfPair> of_pairs_;
   std::vector<SpherePair> spheres_;
   std::vector<SpherePair> found_;
 

@@ -1,20 +1,20 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#include "multisphere/multisphere_watch.h"
+#include "multisphere/near_spheres.h"
 
 #include <algorithm>
 
 namespace ellipsoid {
 
-void ContactWatch::restart(std::size_t pairs) {
-  watched_.assign(pairs, Watched());
+void NearSpheres::restart(std::size_t pairs) {
+  of_pairs_.assign(pairs, OfPair());
   spheres_.assign(1, SpherePair()); // the first place of pairs that have none
 }
 
-ContactWatch::Search ContactWatch::search(std::size_t pair, const ChainPose& i, const ChainPose& j,
-                                          const Vector3& centre_distance, double gap) {
-  Watched& watched = watched_[pair];
-  watched.count = 0;
-  watched.until = {0.0, 0.0};
+NearSpheres::Search NearSpheres::search(std::size_t pair, const ChainPose& i, const ChainPose& j,
+                                        const Vector3& centre_distance, double gap) {
+  OfPair& of_pair = of_pairs_[pair];
+  of_pair.count = 0;
+  of_pair.until = {0.0, 0.0};
   const double bound = smallest_gap(i, j, centre_distance);
   if (bound > gap)
     return {usable_share * bound, 0};
@@ -31,8 +31,8 @@ ContactWatch::Search ContactWatch::search(std::size_t pair, const ChainPose& i, 
 }
 
 /// @return how many distances between spheres were computed
-int ContactWatch::find(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance,
-                       double gap) {
+int NearSpheres::find(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance,
+                      double gap) {
   found_.clear();
   return for_each_near_pair(i, j, centre_distance, gap, [&](int k, int l, double overlap) {
     if (overlap > -gap)
@@ -42,16 +42,16 @@ int ContactWatch::find(const ChainPose& i, const ChainPose& j, const Vector3& ce
 }
 
 /// A pair whose room is too small gets a new one of double size at the end.
-void ContactWatch::keep_found(std::size_t pair) {
-  Watched& watched = watched_[pair];
+void NearSpheres::keep_found(std::size_t pair) {
+  OfPair& of_pair = of_pairs_[pair];
   std::sort(found_.begin(), found_.end(), [](const SpherePair& a, const SpherePair& b) {
     return a.sphere_i != b.sphere_i ? a.sphere_i < b.sphere_i : a.sphere_j < b.sphere_j;
   });
-  watched.count = static_cast<int>(found_.size());
-  if (watched.count > watched.room) {
-    watched.first = static_cast<unsigned>(spheres_.size());
-    watched.room = 2 * watched.count;
-    spheres_.resize(spheres_.size() + static_cast<std::size_t>(watched.room));
+  of_pair.count = static_cast<int>(found_.size());
+  if (of_pair.count > of_pair.room) {
+    of_pair.first = static_cast<unsigned>(spheres_.size());
+    of_pair.room = 2 * of_pair.count;
+    spheres_.resize(spheres_.size() + static_cast<std::size_t>(of_pair.room));
   }
   std::copy(found_.begin(), found_.end(), begin(pair));
 }

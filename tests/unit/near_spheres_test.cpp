@@ -1,5 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#include "multisphere/multisphere_watch.h"
+#include "multisphere/near_spheres.h"
+
+#include "chain_motion.h"
 
 #include <gtest/gtest.h>
 
@@ -68,14 +70,14 @@ struct Tumbling {
   }
 };
 
-/// Touching pairs among those that the watch has, ascending.
-Pairs watched(ContactWatch& watch, const Tumbling& bodies) {
+/// Touching pairs among the near spheres, ascending.
+Pairs touching_pairs(NearSpheres& near, const Tumbling& bodies) {
   Pairs pairs;
-  std::vector<ContactWatch::Touching> touching(
-      static_cast<std::size_t>(watch.end(1) - watch.begin(1)));
+  std::vector<NearSpheres::Touching> touching(
+      static_cast<std::size_t>(near.end(1) - near.begin(1)));
   touching.resize(static_cast<std::size_t>(
-      watch.find_touching(1, bodies.i, bodies.j, bodies.centre_distance, touching.data())));
-  for (const ContactWatch::Touching& t : touching) {
+      near.find_touching(1, bodies.i, bodies.j, bodies.centre_distance, touching.data())));
+  for (const NearSpheres::Touching& t : touching) {
     EXPECT_EQ(t.spheres->sphere_i, t.contact.sphere_i);
     EXPECT_EQ(t.spheres->sphere_j, t.contact.sphere_j);
     pairs.emplace_back(t.spheres->sphere_i, t.spheres->sphere_j);
@@ -110,8 +112,8 @@ TEST_P(Watch, FindsWhatIsCloserThanTheGap) {
 TEST_P(Watch, KnowsEveryContactBetweenSearches) {
   const SphereChain one = chain(GetParam().first), other = chain(GetParam().second);
   Tumbling bodies(one, other);
-  ContactWatch watch;
-  watch.restart(3);
+  NearSpheres near;
+  near.restart(3);
   MotionClocks clocks;
   clocks.restart(2);
   int searches = 0, touching = 0, contacts_begun = 0, rests = 0;
@@ -123,17 +125,17 @@ TEST_P(Watch, KnowsEveryContactBetweenSearches) {
     clocks.begin_step();
     clocks.advance(0, motion(last.i, bodies.i, {}));
     clocks.advance(1, motion(last.j, bodies.j, bodies.centre_distance - last.centre_distance));
-    if (watch.is_due(1, clocks.time(0), clocks.time(1))) {
+    if (near.is_due(1, clocks.time(0), clocks.time(1))) {
       ++searches;
-      const auto [gap, tested] = watch.search(1, bodies.i, bodies.j, bodies.centre_distance, 0.03);
+      const auto [gap, tested] = near.search(1, bodies.i, bodies.j, bodies.centre_distance, 0.03);
       EXPECT_GE(tested, 0);
-      watch.set_deadlines(1, clocks.deadlines(0, 1, gap, clocks.approach(0, 1)));
+      near.set_deadlines(1, clocks.deadlines(0, 1, gap, clocks.approach(0, 1)));
     }
     const Pairs truth = closer_than(0.0, bodies.i, bodies.j, bodies.centre_distance);
-    ASSERT_EQ(watched(watch, bodies), truth) << "step " << step << ", seed " << seed;
+    ASSERT_EQ(touching_pairs(near, bodies), truth) << "step " << step << ", seed " << seed;
     touching += !truth.empty();
     contacts_begun += truth != before;
-    rests += watch.is_empty(1);
+    rests += near.is_empty(1);
     before = truth;
   }
   EXPECT_LT(searches, steps / 2); // the proofs are used
@@ -147,30 +149,30 @@ INSTANTIATE_TEST_SUITE_P(Chains, Watch,
                                            std::make_pair(5, 5), std::make_pair(5, 13),
                                            std::make_pair(17, 17), std::make_pair(55, 17)));
 
-TEST(ContactWatch, ForgetsAndStartsDue) {
+TEST(NearSpheres, ForgetsAndStartsDue) {
   const SphereChain five = chain(5);
-  ContactWatch watch;
-  watch.restart(2);
-  EXPECT_TRUE(watch.is_due(0, 0.0, 0.0));
-  EXPECT_TRUE(watch.is_empty(0));
+  NearSpheres near;
+  near.restart(2);
+  EXPECT_TRUE(near.is_due(0, 0.0, 0.0));
+  EXPECT_TRUE(near.is_empty(0));
   const ChainPose pose{&five, {1.0, 0.0, 0.0}, 1.0};
-  EXPECT_NEAR(watch.search(0, pose, pose, {0.0, 1.9, 0.0}, 0.01).gap, 0.01, 1e-7);
-  EXPECT_FALSE(watch.is_empty(0));
-  EXPECT_TRUE(watch.is_due(0, 0.0, 0.0));
-  watch.set_deadlines(0, {1.0, 2.0});
-  EXPECT_FALSE(watch.is_due(0, 0.99, 1.99));
-  EXPECT_TRUE(watch.is_due(0, 1.0, 0.0));
-  EXPECT_TRUE(watch.is_due(0, 0.0, 2.0));
-  EXPECT_TRUE(watch.is_due(1, 0.0, 0.0));
+  EXPECT_NEAR(near.search(0, pose, pose, {0.0, 1.9, 0.0}, 0.01).gap, 0.01, 1e-7);
+  EXPECT_FALSE(near.is_empty(0));
+  EXPECT_TRUE(near.is_due(0, 0.0, 0.0));
+  near.set_deadlines(0, {1.0, 2.0});
+  EXPECT_FALSE(near.is_due(0, 0.99, 1.99));
+  EXPECT_TRUE(near.is_due(0, 1.0, 0.0));
+  EXPECT_TRUE(near.is_due(0, 0.0, 2.0));
+  EXPECT_TRUE(near.is_due(1, 0.0, 0.0));
   // 1 between the capsules
-  EXPECT_NEAR(watch.search(1, pose, pose, {0.0, 3.0, 0.0}, 0.01).gap, 1.0, 1e-5);
-  EXPECT_TRUE(watch.is_empty(1));
-  watch.restart(2);
-  EXPECT_TRUE(watch.is_due(0, 0.0, 0.0));
-  EXPECT_TRUE(watch.is_empty(0));
+  EXPECT_NEAR(near.search(1, pose, pose, {0.0, 3.0, 0.0}, 0.01).gap, 1.0, 1e-5);
+  EXPECT_TRUE(near.is_empty(1));
+  near.restart(2);
+  EXPECT_TRUE(near.is_due(0, 0.0, 0.0));
+  EXPECT_TRUE(near.is_empty(0));
 }
 
-TEST(ContactWatch, MotionBoundsEverySphere) {
+TEST(NearSpheres, MotionBoundsEverySphere) {
   const SphereChain nine = chain(9);
   Random random;
   for (int pose = 0; pose < 10000; ++pose) {
