@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # clang-tidy's checks of the project's .clang-tidy: the whole kernel, and what differs from the branch
-# main. All of the project's own files: ELLIPSOID_TIDY=all (some ten minutes).
+# main. All of the project's own files: ELLIPSOID_TIDY=all.
 set -euo pipefail
 readonly skipped=77
 
