@@ -21,7 +21,7 @@ namespace {
 
 /// Triangles with a smaller gap than this share of the bounding radius are within reach: they are
 /// looked at in every step, the others only after the particle has moved as far.
-constexpr double reach_share = 0.03;
+constexpr double reach_share = 0.01;
 
 } // namespace
 
@@ -35,12 +35,12 @@ ellipsoid::Triangle WallMeshes::nodes(const NearTriangle& triangle) const {
   return t;
 }
 
-ellipsoid::Triangle WallMeshes::relative_nodes(const NearTriangle& triangle) const {
-  ellipsoid::Triangle t = nodes(triangle);
-  const Vector3 centre = vector(atom->x[triangle.particle]);
-  for (Vector3& node : t)
+/// @param[in] triangle in space; relative to the particle's centre it is returned
+ellipsoid::Triangle WallMeshes::relative(ellipsoid::Triangle triangle, int particle) const {
+  const Vector3 centre = vector(atom->x[particle]);
+  for (Vector3& node : triangle)
     node -= centre;
-  return t;
+  return triangle;
 }
 
 bool WallMeshes::update(FixMeshSurface** meshes, int count, int groupbit) {
@@ -58,7 +58,9 @@ void WallMeshes::collect(int count, int groupbit) {
   moving_.clear();
   positions_.clear();
   particles_.clear();
+  is_moving_.clear();
   for (int m = 0; m < count; ++m) {
+    is_moving_.push_back(meshes_[m]->triMesh()->isMoving() || meshes_[m]->triMesh()->isDeforming());
     const int triangles = meshes_[m]->triMesh()->sizeLocal() + meshes_[m]->triMesh()->sizeGhost();
     for (int t = 0; t < triangles; ++t)
       collect_triangle(m, t, groupbit);
@@ -69,6 +71,7 @@ void WallMeshes::collect(int count, int groupbit) {
            std::tie(b.particle, b.mesh, b.id, b.index);
   });
   reach_.resize(pairs_.size());
+  reach_nodes_.resize(pairs_.size());
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     if (k == 0 || pairs_[k].particle != pairs_[k - 1].particle) {
       particles_.emplace_back();
@@ -92,8 +95,7 @@ void WallMeshes::collect_triangle(int mesh, int index, int groupbit) {
     pair.particle = i;
     pairs_.push_back(pair);
   }
-  TriMesh& triangles = *meshes_[mesh]->triMesh();
-  if (pairs_.size() == before || !(triangles.isMoving() || triangles.isDeforming()))
+  if (pairs_.size() == before || !is_moving_[static_cast<std::size_t>(mesh)])
     return;
   moving_.push_back(pair);
   positions_.push_back(nodes(pair));
@@ -143,11 +145,11 @@ double WallMeshes::margin(const Particle& particle) const {
 }
 
 void WallMeshes::take_triangles(const Particle& particle) {
-  near_.clear();
   triangles_.clear();
-  for (std::size_t k = 0; k < particle.count; ++k) {
-    near_.push_back(pairs_[reach_[particle.first + k]]);
-    triangles_.push_back(relative_nodes(near_.back()));
+  for (std::size_t k = particle.first; k < particle.first + particle.count; ++k) {
+    const bool is_moving = is_moving_[static_cast<std::size_t>(reach_[k].mesh)];
+    triangles_.push_back(
+        relative(is_moving ? nodes(reach_[k]) : reach_nodes_[k], particle.particle));
   }
 }
 
@@ -171,8 +173,9 @@ Vector3 WallMeshes::velocity(int triangle, const Vector3& point) const {
 
 bool WallMeshes::adjoining(double former, int triangle) const {
   const ellipsoid::Triangle& other = triangles_[static_cast<std::size_t>(triangle)];
-  const double margin = ellipsoid::wall_tolerance::unmatched * atom->radius[near_.front().particle];
-  for (std::size_t k = 0; k < near_.size(); ++k)
+  const double margin =
+      ellipsoid::wall_tolerance::unmatched * atom->radius[particles_[current_].particle];
+  for (std::size_t k = 0; k < triangles_.size(); ++k)
     if (code(static_cast<int>(k)) == former && adjoin(triangles_[k], other, margin))
       return true;
   return false;

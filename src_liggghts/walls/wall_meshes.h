@@ -57,7 +57,9 @@ class WallMeshes : private LAMMPS_NS::Pointers {
   }
 
   /// Of triangles(), by the index there.
-  const NearTriangle& near(int triangle) const { return near_[static_cast<std::size_t>(triangle)]; }
+  const NearTriangle& near(int triangle) const {
+    return reach_[particles_[current_].first + static_cast<std::size_t>(triangle)];
+  }
   /// Tells triangles of all meshes apart; 0 for what is no triangle (index -1).
   double code(int triangle) const {
     return triangle < 0 ? 0.0 : 1.0 + near(triangle).id + 4294967296.0 * near(triangle).mesh;
@@ -76,7 +78,7 @@ class WallMeshes : private LAMMPS_NS::Pointers {
   struct Particle {
     int particle = 0;
     std::size_t first = 0, last = 0;   ///< of its near triangles in pairs_
-    std::size_t count = 0;             ///< of those within reach; their places are in reach_
+    std::size_t count = 0;             ///< of those within reach: from `first` on in reach_
     ellipsoid::Vector3 centre;         ///< when the gaps were measured (length)
     ellipsoid::Quaternion orientation; ///< the same
     double way = 0.0;                  ///< of the meshes until then (length)
@@ -84,18 +86,19 @@ class WallMeshes : private LAMMPS_NS::Pointers {
   };
 
   LAMMPS_NS::FixMeshSurface** meshes_ = nullptr;
-  std::vector<NearTriangle> pairs_; // of all particles
-  std::vector<std::size_t> reach_;  // from Particle::first on: places in pairs_
+  std::vector<NearTriangle> pairs_;              // of all particles
+  std::vector<NearTriangle> reach_;              // those within reach
+  std::vector<ellipsoid::Triangle> reach_nodes_; // of these, in space, when gaps were measured
   std::vector<Particle> particles_;
   std::size_t current_ = 0;
-  std::vector<NearTriangle> near_;             // of the present one
-  std::vector<ellipsoid::Triangle> triangles_; // the same
+  std::vector<ellipsoid::Triangle> triangles_; // of the present one, relative to its centre
+  std::vector<char> is_moving_;                // per mesh
   std::vector<NearTriangle> moving_;           // one entry per near triangle of meshes that move
   std::vector<ellipsoid::Triangle> positions_; // of these, in the last step
   double way_ = 0.0; // the largest of any corner, added up over the steps (length)
 
   ellipsoid::Triangle nodes(const NearTriangle& triangle) const;
-  ellipsoid::Triangle relative_nodes(const NearTriangle& triangle) const;
+  ellipsoid::Triangle relative(ellipsoid::Triangle triangle, int particle) const;
   void collect(int count, int groupbit);
   void collect_triangle(int mesh, int index, int groupbit);
   void follow_moving();
@@ -108,11 +111,15 @@ class WallMeshes : private LAMMPS_NS::Pointers {
     const double reach = reach_of(particle);
     double nearest_other = HUGE_VAL;
     for (std::size_t k = particle.first; k < particle.last; ++k) {
-      const double gap = smallest_gap(body, relative_nodes(pairs_[k]));
-      if (gap <= reach)
-        reach_[particle.first + particle.count++] = k;
-      else
+      const ellipsoid::Triangle in_space = nodes(pairs_[k]);
+      const double gap = smallest_gap(body, relative(in_space, particle.particle));
+      if (gap > reach) {
         nearest_other = std::fmin(nearest_other, gap);
+        continue;
+      }
+      const std::size_t place = particle.first + particle.count++;
+      reach_[place] = pairs_[k];
+      reach_nodes_[place] = in_space;
     }
     particle.free_way = nearest_other - margin(particle);
   }

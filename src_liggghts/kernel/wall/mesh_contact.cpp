@@ -192,6 +192,33 @@ void add_growing_contact(const Body& body, const std::vector<Triangle>& triangle
     contacts.push_back(found);
 }
 
+/// The same for any of the contacts from index `first` to before `last`.
+bool is_in_plane(const Triangle& t, const std::vector<TriangleContact>& contacts, std::size_t first,
+                 std::size_t last, double size) {
+  const auto begin = contacts.begin();
+  return std::any_of(begin + static_cast<std::ptrdiff_t>(first),
+                     begin + static_cast<std::ptrdiff_t>(last),
+                     [&](const TriangleContact& c) { return is_in_plane(t, c, size); });
+}
+
+/// Those at edges and corners of some triangles.
+/// @param[in] first index of the first contact of this body; so far there are those at its faces
+template <class Body>
+void add_boundary_contacts(const Body& body, const Vector3& eye, double size,
+                           const std::vector<Triangle>& triangles, const std::vector<int>& open,
+                           std::size_t first, std::vector<TriangleContact>& contacts) {
+  const std::size_t last_face = contacts.size();
+  for (const int k : open) {
+    const Triangle& t = triangles[static_cast<std::size_t>(k)];
+    if (is_in_plane(t, contacts, first, last_face, size))
+      continue;
+    TriangleContact c = find_boundary_contact(body, t);
+    c.triangle = k;
+    if (c.feature != TriangleFeature::none && !is_false(c, triangles, eye, size))
+      contacts.push_back(c);
+  }
+}
+
 /// @param[in] eye from where contact points must be seen
 /// @param[in] size of the particle (length)
 template <class Body>
@@ -202,6 +229,8 @@ void add_contacts(const Body& body, const Vector3& eye, double size,
   std::vector<int> open; // triangles with edges and corners to look at
   bool near = false;
   for (std::size_t k = 0; k < triangles.size(); ++k) {
+    if (is_in_plane(triangles[k], contacts, first, contacts.size(), size))
+      continue;
     TriangleContacts offered = find_face_contact(body, triangles[k]);
     near = near || offered.plane_is_reached;
     if (offered.boundary_is_open)
@@ -215,18 +244,7 @@ void add_contacts(const Body& body, const Vector3& eye, double size,
   }
   if (!near)
     return;
-  const std::size_t first_boundary = contacts.size();
-  for (const int k : open) {
-    const Triangle& t = triangles[static_cast<std::size_t>(k)];
-    const auto begin = contacts.begin() + static_cast<std::ptrdiff_t>(first),
-               end = contacts.begin() + static_cast<std::ptrdiff_t>(first_boundary);
-    if (std::any_of(begin, end, [&](const TriangleContact& c) { return is_in_plane(t, c, size); }))
-      continue;
-    TriangleContact c = find_boundary_contact(body, t);
-    c.triangle = k;
-    if (c.feature != TriangleFeature::none && !is_false(c, triangles, eye, size))
-      contacts.push_back(c);
-  }
+  add_boundary_contacts(body, eye, size, triangles, open, first, contacts);
   select(same_surface, size, first, contacts);
   if (contacts.size() == first)
     add_growing_contact(body, triangles, contacts);
