@@ -312,7 +312,9 @@ __attribute__((flatten)) void FixNVEEllipsoid::end_step_in_space() {
   });
 }
 
+/// The host's command `timestep` tells no fix, and `run ... pre no` does not call init().
 void FixNVEEllipsoid::initial_integrate(int) {
+  reset_dt();
   if (!gear_ && inverse_inertia_.size() != inverse_inertia_size())
     know_inertia();
   if (gear_)

@@ -23,9 +23,13 @@ using ellipsoid_host::vector;
 
 namespace {
 
-/// Begins the state in restart files; files without it begin with a number of particles, and end
-/// before the step of the next try.
-constexpr double with_next_try = -1.0;
+/// Begins the state in restart files.
+constexpr double state_by_time = -2.0;
+/// Began those of an earlier version, the first of which had no mark.
+constexpr double state_by_steps = -1.0;
+
+/// A taken place is tried again a few times per interval: every try rebuilds the neighbour lists.
+constexpr double tries_per_interval = 10.0;
 
 } // namespace
 
@@ -38,7 +42,8 @@ FixInsertDrop::FixInsertDrop(LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg,
   next_reneighbor = -1;
   if (!atom->superquadric_flag)
     error->fix_error(FLERR, this, "needs particles with shape: use atom_style granular/ellipsoid");
-  first_step_ = update->ntimestep + 1;
+  since_step_ = update->ntimestep + 1;
+  time_step_ = update->dt;
   parse(narg, arg);
 }
 
@@ -88,17 +93,47 @@ void FixInsertDrop::parse(int narg, char** arg) {
     reader.complain(std::string("a keyword is missing; add '") + missing + "'");
 }
 
-int FixInsertDrop::setmask() { return PRE_EXCHANGE; }
+int FixInsertDrop::setmask() { return INITIAL_INTEGRATE | PRE_EXCHANGE; }
 
 void FixInsertDrop::init() {
-  if (interval_ < update->dt)
-    error->fix_error(FLERR, this,
-                     "keyword 'interval' is shorter than the time step; make it longer");
   for (int k = 0; k < 3; ++k)
     if (low_[k] < domain->boxlo[k] || high_[k] > domain->boxhi[k])
       error->fix_error(FLERR, this,
                        "keyword 'box' reaches out of the simulation box; keep it inside");
+  follow_time_step(update->ntimestep);
+  check_interval();
   schedule();
+}
+
+/// However the time step was changed, the first step with the new one comes by here.
+void FixInsertDrop::initial_integrate(int) {
+  if (update->dt == time_step_)
+    return;
+  follow_time_step(update->ntimestep - 1);
+  check_interval();
+  schedule();
+}
+
+/// @param[in] last_step the last one with the time step known so far
+void FixInsertDrop::follow_time_step(bigint last_step) {
+  if (update->dt == time_step_)
+    return;
+  if (last_step > since_step_ && time_step_ > 0.0) {
+    elapsed_ += static_cast<double>(last_step - since_step_) * time_step_;
+    since_step_ = last_step;
+  }
+  time_step_ = update->dt;
+}
+
+void FixInsertDrop::check_interval() {
+  if (interval_ < time_step_)
+    error->fix_error(FLERR, this,
+                     "keyword 'interval' is shorter than the time step; make it longer");
+}
+
+/// Simulated time since the first drop (time).
+double FixInsertDrop::elapsed() const {
+  return elapsed_ + static_cast<double>(update->ntimestep - since_step_) * time_step_;
 }
 
 /// The step of the next drop, from the number of particles alone: rounding does not add up.
@@ -107,14 +142,15 @@ void FixInsertDrop::schedule() {
     next_reneighbor = -1;
     return;
   }
-  const bigint due =
-      first_step_ + static_cast<bigint>(std::llround(inserted_ * interval_ / update->dt));
-  next_reneighbor = std::max({due, next_try_, update->ntimestep + 1});
+  const double due = std::max(inserted_ * interval_, next_try_);
+  const bigint step =
+      since_step_ + static_cast<bigint>(std::llround((due - elapsed_) / time_step_));
+  next_reneighbor = std::max(step, update->ntimestep + 1);
 }
 
-/// A taken place is tried again a few times per interval: every try rebuilds the neighbour lists.
-bigint FixInsertDrop::steps_between_tries() const {
-  return 1 + static_cast<bigint>(0.1 * interval_ / update->dt);
+void FixInsertDrop::reset_timestep(bigint new_step, bigint old_step) {
+  since_step_ += new_step - old_step;
+  schedule();
 }
 
 double FixInsertDrop::max_rad(int type) {
@@ -206,14 +242,14 @@ void FixInsertDrop::pre_exchange() {
   if (place_is_free(particle)) {
     insert(particle);
     ++inserted_;
-    next_try_ = -1;
+    next_try_ = -1.0;
   } else {
-    if (next_try_ < 0 && comm->me == 0)
+    if (next_try_ < 0.0 && comm->me == 0)
       error->warning(FLERR,
                      ("Fix insert/drop (id " + std::string(id) + "): the place of particle " +
                       std::to_string(inserted_ + 1) + " is taken; it waits until the place is free")
                          .c_str());
-    next_try_ = update->ntimestep + steps_between_tries();
+    next_try_ = elapsed() + interval_ / tries_per_interval;
   }
   schedule();
 }
@@ -221,21 +257,40 @@ void FixInsertDrop::pre_exchange() {
 void FixInsertDrop::write_restart(FILE* file) {
   if (comm->me != 0)
     return;
-  const double state[] = {with_next_try, static_cast<double>(inserted_),
-                          static_cast<double>(first_step_), static_cast<double>(next_try_)};
+  const double state[] = {state_by_time, static_cast<double>(inserted_),
+                          elapsed_,      static_cast<double>(since_step_ - update->ntimestep),
+                          time_step_,    next_try_};
   const int size = sizeof(state);
   fwrite(&size, sizeof(int), 1, file);
   fwrite(state, 1, sizeof(state), file);
 }
 
 void FixInsertDrop::restart(ELLIPSOID_RESTART_PARAMETERS) {
-  double first;
-  std::memcpy(&first, buffer, sizeof(first));
-  const bool has_next_try = first == with_next_try;
-  double state[3] = {0.0, 0.0, -1.0};
-  std::memcpy(state, buffer + (has_next_try ? sizeof(first) : 0),
-              (has_next_try ? 3 : 2) * sizeof(double));
+  double state[6];
+  std::memcpy(state, buffer, sizeof(state[0]));
+  if (state[0] != state_by_time) {
+    restart_by_steps(buffer + (state[0] == state_by_steps ? sizeof(state[0]) : 0));
+    return;
+  }
+  std::memcpy(state, buffer, sizeof(state));
+  inserted_ = static_cast<int>(state[1]);
+  elapsed_ = state[2];
+  since_step_ = update->ntimestep + static_cast<bigint>(state[3]);
+  time_step_ = state[4];
+  next_try_ = state[5];
+}
+
+/// Of an earlier version: the number of particles and the first step, not the time step.
+void FixInsertDrop::restart_by_steps(const char* buffer) {
+  double state[2];
+  std::memcpy(state, buffer, sizeof(state));
   inserted_ = static_cast<int>(state[0]);
-  first_step_ = static_cast<bigint>(state[1]);
-  next_try_ = static_cast<bigint>(state[2]);
+  since_step_ = static_cast<bigint>(state[1]);
+  elapsed_ = time_step_ = 0.0;
+  next_try_ = -1.0;
+  if (comm->me == 0)
+    error->warning(FLERR, ("Fix insert/drop (id " + std::string(id) +
+                           "): the restart file is of an earlier version, which does not keep the "
+                           "time step; the present one is taken for all steps before")
+                              .c_str());
 }

@@ -23,7 +23,9 @@ class FixInsertDrop : public Fix {
 
   int setmask() override;
   void init() override;
+  void initial_integrate(int vflag) override;
   void pre_exchange() override;
+  void reset_timestep(bigint new_step, bigint old_step) override;
   void write_restart(FILE* file) override;
   void restart(ELLIPSOID_RESTART_PARAMETERS) override;
   /// Particles inserted so far.
@@ -40,16 +42,22 @@ class FixInsertDrop : public Fix {
   int seed_ = 0;
   int particles_ = 0;            // to insert in all
   double interval_ = 0.0;        // between two drops (time)
-  bigint first_step_ = 0;        // of the first drop
   double low_[3] = {0., 0., 0.}; // box of the centres (length)
   double high_[3] = {0., 0., 0.};
   ellipsoid::Vector3 velocity_; // (length/time)
   int inserted_ = 0;
-  bigint next_try_ = -1; // step of it, for a drop whose place was taken; else -1
+  // Simulated time since the first drop: elapsed_ at since_step_, with steps of time_step_ since.
+  double elapsed_ = 0.0;
+  bigint since_step_ = 0;
+  double time_step_ = 0.0; // 0: not known yet
+  double next_try_ = -1.0; // time of it, for a drop whose place was taken; else -1
 
   void parse(int narg, char** arg);
+  void restart_by_steps(const char* buffer);
+  void follow_time_step(bigint last_step);
+  void check_interval();
+  double elapsed() const;
   void schedule();
-  bigint steps_between_tries() const;
   void draw(ParticleToInsertEllipsoid& particle) const;
   bool is_mine(const double* position) const;
   bool place_is_free(const ParticleToInsertEllipsoid& particle) const;

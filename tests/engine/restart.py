@@ -99,13 +99,16 @@ class Restart(unittest.TestCase):
         """Older files hold two numbers of fix insert/drop only: particles so far and the first step."""
         content = Path("half.restart").read_bytes()[:-32]  # without the checksum, as of another engine
         content = content.replace(b"liggghts-ellipsoid", b"something-else-abc", 1)
-        (at,) = [m.start() for m in re.finditer(re.escape(struct.pack("<id", 32, -1.0)), content)]
-        inserted, first, next_try = struct.unpack_from("<3d", content, at + 12)
-        self.assertEqual((inserted, first, next_try), (19, 1, -1))
-        Path("old.restart").write_bytes(content[:at] + struct.pack("<i2d", 16, inserted, first) + content[at + 36:])
-        run(pile(lambda setup: "read_restart old.restart\n") + dump("old.dump", SAMPLE) + f"run {HALF}\n",
-            name="in.old")
-        self.assertEqual(Path("old.dump").read_bytes(), Path("again.dump").read_bytes())
+        (at,) = [m.start() for m in re.finditer(re.escape(struct.pack("<id", 48, -2.0)), content)]
+        inserted, elapsed, since, time_step, next_try = struct.unpack_from("<5d", content, at + 12)
+        first = HALF + since
+        self.assertEqual((inserted, elapsed, first, time_step, next_try), (19, 0, 1, 5e-6, -1))
+        for state in (struct.pack("<i2d", 16, inserted, first), struct.pack("<i4d", 32, -1.0, inserted, first, -1.0)):
+            Path("old.restart").write_bytes(content[:at] + state + content[at + 52:])
+            outcome = run(pile(lambda setup: "read_restart old.restart\n") + dump("old.dump", SAMPLE)
+                          + f"run {HALF}\n", name="in.old")
+            self.assertEqual(Path("old.dump").read_bytes(), Path("again.dump").read_bytes())
+            self.assertIn("does not keep the time step", outcome.text)
 
     def test_the_same_restart_gives_the_same_run(self):
         self.assertEqual(Path("again.dump").read_bytes(), Path("twice.dump").read_bytes())
