@@ -28,6 +28,8 @@ class FixCheckTimestepEllipsoid : public Fix {
   ~FixCheckTimestepEllipsoid() override;
   int setmask() override;
   void init() override;
+  /// A time step that is far too long is said before anything flies apart.
+  void setup(int) override { end_of_step(); }
   void end_of_step() override;
   double compute_vector(int n) override { return fractions_[n]; }
 
