@@ -33,7 +33,8 @@ void add_size_options(CLI::App& command, ParticleOptions& particles) {
           [&particles](const std::string& word) {
             particles.spacing = sphere_spacing_from_word(word);
           },
-          "spacing of these sub-spheres: paper (default), minimax_outline, minimax_area")
+          "spacing of these sub-spheres: paper (default), minimax_outline, minimax_area, "
+          "paper_touching")
       ->check(check_by([](const std::string& word) { sphere_spacing_from_word(word); }));
   command
       .add_option(

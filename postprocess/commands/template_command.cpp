@@ -203,7 +203,8 @@ void add_template_command(CLI::App& program, int& exit_code) {
   command->add_option("--subspheres", options->counts, "numbers N of sub-spheres")->delimiter(',');
   command
       ->add_option("--spacing", options->spacing_word,
-                   "paper, minimax (the same as minimax_outline), minimax_outline, minimax_area")
+                   "paper, minimax (the same as minimax_outline), minimax_outline, minimax_area, "
+                   "paper_touching (N = 3)")
       ->capture_default_str()
       ->check(check_by([](const std::string& word) { sphere_spacing_from_word(word); }));
   add_count_options(*command, *options);

@@ -205,12 +205,14 @@ SphereSpacing spacing_at(const Frame& frame, Column spacing, std::size_t row,
   if (!spacing)
     return options.spacing.value_or(SphereSpacing::paper);
   const double code = (*spacing)[row];
-  for (const auto known :
-       {SphereSpacing::paper, SphereSpacing::minimax_outline, SphereSpacing::minimax_area})
+  for (const auto known : {SphereSpacing::paper, SphereSpacing::minimax_outline,
+                           SphereSpacing::minimax_area, SphereSpacing::paper_touching})
     if (code == static_cast<double>(known))
       return known;
-  throw bad_value(frame, row, "f_spacing 0 (paper), 1 (minimax_outline) or 2 (minimax_area)",
-                  fmt::format("{}", code));
+  throw bad_value(
+      frame, row,
+      "f_spacing 0 (paper), 1 (minimax_outline), 2 (minimax_area) or 3 (paper_touching)",
+      fmt::format("{}", code));
 }
 
 void add_chain(ParticleSet& set, Particle& particle, const MultisphereTemplate& chain) {

@@ -90,7 +90,7 @@ void AtomVecGranularEllipsoid::read_subspheres(int i, char** values) {
   subspheres_[i] = {
       small_integer(error, values[smooth_columns], ellipsoid::largest_sphere_count, "N", id),
       small_integer(error, values[smooth_columns + 1],
-                    static_cast<int>(ellipsoid::SphereSpacing::minimax_area), "spacing", id)};
+                    static_cast<int>(ellipsoid::SphereSpacing::paper_touching), "spacing", id)};
 }
 
 void AtomVecGranularEllipsoid::finish_data() {

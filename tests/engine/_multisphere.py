@@ -18,7 +18,7 @@ def chain(a, b, count):
     """Centres (N,) and radii (N,) of the paper's chain along the body's x axis (m)."""
     if count == 1:
         return np.zeros(1), np.array([b])
-    if count == 3:
+    if count == 3 and a >= 2 * b:  # the chain of the equations does not overlap
         return np.array([-1.0, 0.0, 1.0]) * 0.5 * (a + b), np.array([a - b, 2 * b, a - b]) / 2.0
     n, last = count // 2, a - b * b / a  # eq. 5
 

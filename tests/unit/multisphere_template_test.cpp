@@ -146,7 +146,7 @@ TEST(MultisphereTemplate, ReferenceChainOfSeven) {
 
 TEST(MultisphereTemplate, ObeysEquations3To8) {
   for (const Case& c : figure_4) {
-    if (c.count < 5)
+    if (c.count == 3 && c.aspect_ratio >= 2.0) // does not overlap
       continue;
     const double s = c.aspect_ratio, b = 0.7, a = s * b;
     const MultisphereTemplate chain = make_multisphere(a, b, c.count);
@@ -184,6 +184,57 @@ TEST(MultisphereTemplate, OneAndThreeSpheres) {
   EXPECT_NEAR(m.area, pi * (1.15 * 1.15 + 2.0 * r * r), 1e-13);
   EXPECT_NEAR(m.volume, 4.0 / 3.0 * pi * (std::pow(1.15, 3) + 2.0 * r * r * r), 1e-13);
   EXPECT_NEAR(m.perimeter, 2.0 * pi * (1.15 + 2.0 * r), 1e-13);
+}
+
+/// Below s = 2 by eqs. (3) to (5) with n = 1, written out: x_1 = a - b^2/a, R_1 = b^2/a; two lenses
+/// of discs are taken away. Beyond, and by name, the rule of section 4.2.1.
+TEST(MultisphereTemplate, ThreeSpheresOfThePaper) {
+  for (const double s : {1.1, 1.5, 1.9, 1.9999}) {
+    const MultisphereTemplate three = make_multisphere(s, 1.0, 3);
+    EXPECT_NEAR(three.centres[2], s - 1.0 / s, 1e-14);
+    EXPECT_NEAR(three.radii[2], 1.0 / s, 1e-14);
+    EXPECT_LT(three.centres[2], three.radii[1] + three.radii[2]);
+  }
+  const MultisphereTemplate three = make_multisphere(1.5, 1.0, 3);
+  const double d = 5.0 / 6.0, r = 2.0 / 3.0;
+  const double from_middle = (d * d + 1.0 - r * r) / (2.0 * d), from_side = d - from_middle;
+  const double middle = std::acos(from_middle), side = std::acos(from_side / r);
+  const double lens =
+      middle - from_middle * std::sin(middle) + r * r * (side - from_side / r * std::sin(side));
+  const double area = pi + 2.0 * pi * r * r - 2.0 * lens;
+  const double perimeter = 2.0 * pi - 4.0 * middle + 2.0 * r * (2.0 * pi - 2.0 * side);
+  const auto cap = [](double radius, double height) {
+    return pi * height * height * (radius - height / 3.0);
+  };
+  const double volume = 4.0 / 3.0 * pi * (1.0 + 2.0 * r * r * r) -
+                        2.0 * (cap(1.0, 1.0 - from_middle) + cap(r, r - from_side));
+  const MultisphereMeasures m = measure(three);
+  EXPECT_NEAR(m.area, area, 1e-13);
+  EXPECT_NEAR(m.perimeter, perimeter, 1e-13);
+  EXPECT_NEAR(m.volume, volume, 1e-13);
+  EXPECT_NEAR(m.area_ratio, 0.914, 5e-4);
+  EXPECT_NEAR(m.volume_ratio, 0.844, 5e-4);
+  EXPECT_NEAR(m.perimeter_ratio, 0.998, 5e-4);
+  for (const double s : {1.5, 2.0, 2.35, 3.0}) {
+    const MultisphereTemplate rule = make_multisphere(s, 1.0, 3, SphereSpacing::paper_touching);
+    EXPECT_DOUBLE_EQ(rule.radii[2], 0.5 * (s - 1.0));
+    EXPECT_DOUBLE_EQ(rule.centres[2], 0.5 * (s + 1.0));
+    if (s >= 2.0) {
+      EXPECT_EQ(rule.radii, make_multisphere(s, 1.0, 3).radii);
+      EXPECT_EQ(rule.centres, make_multisphere(s, 1.0, 3).centres);
+    }
+  }
+  const MultisphereMeasures touching =
+      measure(make_multisphere(1.5, 1.0, 3, SphereSpacing::paper_touching));
+  EXPECT_NEAR(touching.area_ratio, 0.75, 1e-12);
+  EXPECT_NEAR(touching.perimeter_ratio, 1.188, 5e-4);
+  EXPECT_EQ(error_of(1.5, 1.0, 1, SphereSpacing::paper_touching), "");
+  EXPECT_NE(error_of(1.5, 1.0, 5, SphereSpacing::paper_touching).find("N = 1 and 3 only"),
+            std::string::npos);
+  EXPECT_NE(error_of(3.1, 1.0, 3, SphereSpacing::paper_touching).find("larger than the centre"),
+            std::string::npos);
+  EXPECT_EQ(sphere_spacing_from_word(word_of(SphereSpacing::paper_touching)),
+            SphereSpacing::paper_touching);
 }
 
 TEST(MultisphereTemplate, MeasuresAgainstIntersectionsAndQuadrature) {
@@ -282,7 +333,9 @@ TEST(MultisphereTemplate, OutlineDeviationAgainstSampling) {
 }
 
 TEST(MultisphereTemplate, SmallestCountsOfFigure4) {
-  EXPECT_EQ(smallest_overlapping_count(1.5), 5);
+  EXPECT_EQ(smallest_overlapping_count(1.5), 3); // figure 4a
+  EXPECT_EQ(smallest_overlapping_count(1.999), 3);
+  EXPECT_EQ(smallest_overlapping_count(2.0), 5);
   EXPECT_EQ(smallest_overlapping_count(2.35), 5);
   EXPECT_EQ(smallest_overlapping_count(5.0), 11); // the smallest N shown in figure 4
   EXPECT_EQ(smallest_overlapping_count(10.0), 23);

@@ -22,7 +22,7 @@ MultisphereTemplate mirrored(double a, double b, SphereSpacing spacing, const Ha
 /// eq. (4) between the vertices' centres of curvature, a - |x| beyond them (length).
 double inscribed_radius(double a, double b, double x);
 
-/// Eqs. (3) to (8); n >= 2.
+/// Eqs. (3) to (8); n >= 1.
 HalfChain paper_half_chain(double a, double b, int n);
 
 /// Equal-ripple chain: crests stand out of the ellipse by the same length by which notches and

@@ -40,6 +40,18 @@ void check_count(int count) {
                       : std::string(": choose one in this range")));
 }
 
+/// Markauskas et al. 2010, section 4.2.1.
+HalfChain touching_half_chain(double a, double b) {
+  return {{0.0, 0.5 * (a + b)}, {b, 0.5 * (a - b)}};
+}
+
+/// Of spacing `paper_touching` the only one.
+constexpr int largest_touching_count = 3;
+
+bool is_known(int count, SphereSpacing spacing) {
+  return spacing != SphereSpacing::paper_touching || count <= largest_touching_count;
+}
+
 HalfChain half_chain(double a, double b, int n, SphereSpacing spacing) {
   if (n == 0)
     return {{0.0}, {b}};
@@ -48,18 +60,21 @@ HalfChain half_chain(double a, double b, int n, SphereSpacing spacing) {
     return minimax_outline_half_chain(a, b, n);
   case SphereSpacing::minimax_area:
     return minimax_area_half_chain(a, b, n);
+  case SphereSpacing::paper_touching:
+    return touching_half_chain(a, b);
   case SphereSpacing::paper:
     break;
   }
-  if (n == 1)
-    return {{0.0, 0.5 * (a + b)}, {b, 0.5 * (a - b)}};
-  return paper_half_chain(a, b, n);
+  const HalfChain half = paper_half_chain(a, b, n);
+  return n == 1 && !neighbours_overlap(half) ? touching_half_chain(a, b) : half;
 }
 
-/// Condition after eq. (6). The paper's N = 3 touches by its rule; beyond a = 3b its side spheres
-/// would be larger than the centre sphere.
+/// Condition after eq. (6). N = 3 of section 4.2.1 touches; beyond a = 3b its side spheres would be
+/// larger than the centre sphere.
 bool is_admissible(const HalfChain& half, SphereSpacing spacing) {
-  if (half.centres.size() == 2 && spacing == SphereSpacing::paper)
+  const bool may_touch =
+      spacing == SphereSpacing::paper || spacing == SphereSpacing::paper_touching;
+  if (half.centres.size() == 2 && may_touch)
     return half.radii[1] <= half.radii[0];
   return neighbours_overlap(half);
 }
@@ -73,7 +88,10 @@ SphereSpacing sphere_spacing_from_word(const std::string& word) {
     return SphereSpacing::minimax_outline;
   if (word == "minimax_area")
     return SphereSpacing::minimax_area;
-  refuse("spacing '" + word + "' is unknown; use paper, minimax, minimax_outline or minimax_area");
+  if (word == "paper_touching")
+    return SphereSpacing::paper_touching;
+  refuse("spacing '" + word +
+         "' is unknown; use paper, minimax, minimax_outline, minimax_area or paper_touching");
 }
 
 std::string word_of(SphereSpacing spacing) {
@@ -82,6 +100,8 @@ std::string word_of(SphereSpacing spacing) {
     return "minimax_outline";
   case SphereSpacing::minimax_area:
     return "minimax_area";
+  case SphereSpacing::paper_touching:
+    return "paper_touching";
   case SphereSpacing::paper:
     break;
   }
@@ -90,12 +110,14 @@ std::string word_of(SphereSpacing spacing) {
 
 int smallest_overlapping_count(double aspect_ratio, SphereSpacing spacing) {
   check_semiaxes(aspect_ratio, 1.0);
+  if (spacing == SphereSpacing::paper_touching)
+    return 0;
   const auto overlaps = [&](int n) {
-    return is_admissible(half_chain(aspect_ratio, 1.0, n, spacing), spacing);
+    return neighbours_overlap(half_chain(aspect_ratio, 1.0, n, spacing));
   };
   // More spheres lie closer together: the first n that works is found by doubling and bisection.
   const int largest = (largest_sphere_count - 1) / 2;
-  int low = spacing == SphereSpacing::paper ? 2 : 1, high = low;
+  int low = 1, high = low;
   while (!overlaps(high)) {
     if (high == largest)
       return 0;
@@ -112,12 +134,15 @@ int smallest_overlapping_count(double aspect_ratio, SphereSpacing spacing) {
 MultisphereTemplate make_multisphere(double a, double b, int count, SphereSpacing spacing) {
   check_semiaxes(a, b);
   check_count(count);
+  if (!is_known(count, spacing))
+    refuse("spacing paper_touching with N = " + std::to_string(count) +
+           "; it is for N = 1 and 3 only: use spacing paper");
   // Solved for b = 1, then scaled: the result does not depend on the unit of length.
   HalfChain half = half_chain(a / b, 1.0, (count - 1) / 2, spacing);
   if (!is_admissible(half, spacing)) {
     const int smallest = smallest_overlapping_count(a / b, spacing);
     refuse("with N = " + std::to_string(count) + " sub-spheres at aspect ratio " + number(a / b) +
-           (count == 3 && spacing == SphereSpacing::paper
+           (count == 3 && half.radii[1] > half.radii[0]
                 ? " the side spheres are larger than the centre sphere"
                 : " neighbouring sub-spheres do not overlap") +
            (smallest > 0 ? "; the smallest N whose spheres overlap with this spacing is " +
@@ -166,7 +191,7 @@ int sphere_count_for(double aspect_ratio, ShapeMeasure what, double tolerance,
   check_semiaxes(aspect_ratio, 1.0);
   if (!std::isfinite(tolerance) || !(tolerance > 0.0))
     refuse("tolerance " + number(tolerance) + "; a positive number is needed, such as 0.01");
-  for (int n = 0; 2 * n + 1 <= largest_sphere_count; ++n) {
+  for (int n = 0; 2 * n + 1 <= largest_sphere_count && is_known(2 * n + 1, spacing); ++n) {
     const HalfChain half = half_chain(aspect_ratio, 1.0, n, spacing);
     if (!is_admissible(half, spacing))
       continue;

@@ -20,10 +20,12 @@ namespace ellipsoid {
 enum class SphereSpacing {
   paper = 0,           ///< eqs. (3) to (8): inscribed, distances as the ellipse's ordinates
   minimax_outline = 1, ///< the largest distance between outline and ellipse is smallest
-  minimax_area = 2     ///< the area between outline and ellipse is smallest
+  minimax_area = 2,    ///< the area between outline and ellipse is smallest
+  paper_touching = 3   ///< N = 3 of section 4.2.1: side spheres touch the centre sphere
 };
 
-/// Reads "paper", "minimax" (the same as "minimax_outline"), "minimax_outline", "minimax_area".
+/// Reads "paper", "minimax" (the same as "minimax_outline"), "minimax_outline", "minimax_area",
+/// "paper_touching".
 /// @throws std::invalid_argument any other word
 SphereSpacing sphere_spacing_from_word(const std::string& word);
 
@@ -49,9 +51,10 @@ struct MultisphereTemplate {
 };
 
 /// The chain of N spheres.
-/// N = 1: the centre sphere of radius b for every spacing. N = 3 with spacing `paper`: side spheres
-/// of radius (a - b)/2 that touch the centre sphere; allowed up to a = 3b, where they are as large
-/// as the centre sphere. All other chains overlap, or are refused.
+/// N = 1: the centre sphere of radius b for every spacing. N = 3 with spacing `paper`: by the
+/// equations where these spheres overlap (a < 2b), else as `paper_touching`. `paper_touching`: N =
+/// 1 or 3, side spheres of radius (a - b)/2 that touch the centre sphere; allowed up to a = 3b,
+/// where they are as large as the centre sphere. All other chains overlap, or are refused.
 /// @param[in] a, b semi-axes (length), a > b > 0, a/b within the limits above
 /// @param[in] count N, odd
 /// @throws std::invalid_argument one line: what, value, allowed range, remedy (names the smallest
@@ -59,7 +62,7 @@ struct MultisphereTemplate {
 MultisphereTemplate make_multisphere(double a, double b, int count,
                                      SphereSpacing spacing = SphereSpacing::paper);
 
-/// Smallest N >= 5 (N >= 3 for the minimax spacings) whose neighbouring spheres overlap
+/// Smallest N >= 3 whose neighbouring spheres overlap
 /// (condition after eq. 6); 0 if there is none up to largest_sphere_count.
 int smallest_overlapping_count(double aspect_ratio, SphereSpacing spacing = SphereSpacing::paper);
 
