@@ -7,6 +7,7 @@
 #include "settings.h"
 #include "whole_number.h"
 
+#include <limits>
 #include <string>
 
 namespace LIGGGHTS {
@@ -17,7 +18,15 @@ namespace ContactModels {
 class ContactsSetting : public Setting {
  public:
   typedef int value_type;
-  static constexpr int standard = 8, largest = 64;
+  static constexpr int standard = 8;
+  /// Slots are numbered by short integers.
+  static constexpr int largest = std::numeric_limits<short>::max();
+  /// What to do where there are `found` contacts and no room for all.
+  static std::string remedy(int found) {
+    return found <= largest ? "give 'contacts " + std::to_string(found) + "' or more"
+                            : "use fewer sub-spheres: no more than " + std::to_string(largest) +
+                                  " contacts of one pair can be kept";
+  }
 
   ContactsSetting(std::string name, int value) : Setting(name, 1) { current_.setValue(value); }
 

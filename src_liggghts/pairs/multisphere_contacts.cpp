@@ -197,11 +197,11 @@ void MultisphereContacts::close_slot(const NearPair& pair, double* slot, PairFor
 }
 
 void MultisphereContacts::complain_of_slots(const NearPair& pair) const {
-  error->one(FLERR,
-             ("pair_style gran/ellipsoid: atoms " + std::to_string(atom->tag[pair.i]) + " and " +
-              std::to_string(atom->tag[pair.j]) + " touch at " + std::to_string(found_) +
-              " places, setting 'contacts' allows " + std::to_string(slots_) + "; raise it")
-                 .c_str());
+  error->one(FLERR, ("pair_style gran/ellipsoid: atoms " + std::to_string(atom->tag[pair.i]) +
+                     " and " + std::to_string(atom->tag[pair.j]) + " touch at " +
+                     std::to_string(found_) + " places, setting 'contacts' allows " +
+                     std::to_string(slots_) + "; " + ContactModels::ContactsSetting::remedy(found_))
+                        .c_str());
   std::abort(); // not reached: the call above ends the program
 }
 

@@ -39,9 +39,9 @@ ContactCounts SmoothContacts::compute(PairForces& forces, bool is_time_step) {
   flags_are_set_ = !new_lists;
   if (new_lists) {
     begin_lists();
-    check_new_pairs();
+    check_new_pairs(forces);
   } else {
-    check_due_pairs();
+    check_due_pairs(forces);
   }
   search_active_pairs(forces);
   counts_.values[ContactCounts::near_pairs] = near_pairs_;
@@ -71,10 +71,17 @@ void SmoothContacts::defer(const NearPair& pair, double gap, const Vector3& norm
                motions_.clocks());
 }
 
+/// A pair may have touched when the run was set up, which leaves the host's flag and no more.
+void SmoothContacts::close_and_defer(const NearPair& pair, double gap, const Vector3& normal,
+                                     PairForces& forces) {
+  close({pair.i, pair.j, pair.flag, pair.history, 1.0, -1, -1}, forces);
+  defer(pair, gap, normal);
+}
+
 /// Pairs that touched in the last step are active, of the others those for which no gap is found.
-void SmoothContacts::check_new_pairs() {
+void SmoothContacts::check_new_pairs(PairForces& forces) {
   to_check_.clear();
-  pairs_.for_each([this](std::uint32_t index, int i, int j) {
+  pairs_.for_each([this, &forces](std::uint32_t index, int i, int j) {
     const NearPair pair = pairs_.pair(index, i, j);
     if (pair.history[was_touching] != 0.0) {
       pairs_.activate(pair);
@@ -82,31 +89,31 @@ void SmoothContacts::check_new_pairs() {
     }
     to_check_.push_back(pair);
     if (to_check_.size() == checked_together)
-      check_gaps();
+      check_gaps(forces);
   });
-  check_gaps();
+  check_gaps(forces);
 }
 
-void SmoothContacts::check_due_pairs() {
+void SmoothContacts::check_due_pairs(PairForces& forces) {
   to_check_.clear();
   pairs_.end_due_deferrals(
       motions_.clocks(),
       [this](std::uint32_t index, int i, int j) { to_check_.push_back(pairs_.pair(index, i, j)); },
-      [this] {
+      [this, &forces] {
         if (to_check_.size() >= checked_together)
-          check_gaps();
+          check_gaps(forces);
       });
-  check_gaps();
+  check_gaps(forces);
 }
 
 /// Most pairs to check are still apart: one Newton step from the normal that separated them tells
 /// how far.
-__attribute__((noinline)) void SmoothContacts::check_gaps() {
+__attribute__((noinline)) void SmoothContacts::check_gaps(PairForces& forces) {
   for (const NearPair& pair : to_check_) {
     const Vector3 distance = centre_distance(pair.i, pair.j);
     const double gap = bounding_gap(pair, distance);
     if (gap > 0.0) {
-      defer(pair, gap, normalized(distance));
+      close_and_defer(pair, gap, normalized(distance), forces);
       continue;
     }
     const Vector3 remembered = -vector(&pair.history[normal_x]);
@@ -115,13 +122,13 @@ __attribute__((noinline)) void SmoothContacts::check_gaps() {
     batch_.add(shapes_[pair.i], shapes_[pair.j], distance,
                has_normal ? remembered : normalized(distance));
     if (batch_.full())
-      find_gaps();
+      find_gaps(forces);
   }
-  find_gaps();
+  find_gaps(forces);
   to_check_.clear();
 }
 
-void SmoothContacts::find_gaps() {
+void SmoothContacts::find_gaps(PairForces& forces) {
   batch_.find_gaps();
   for (int k = 0; k < batch_.size(); ++k) {
     const NearPair& pair = in_check_[k];
@@ -134,7 +141,7 @@ void SmoothContacts::find_gaps() {
     }
     if (is_time_step_)
       store(-batch_.normal(k), &pair.history[normal_x]);
-    defer(pair, gap, batch_.normal(k));
+    close_and_defer(pair, gap, batch_.normal(k), forces);
   }
   batch_.clear();
 }
@@ -198,15 +205,14 @@ __attribute__((noinline)) bool SmoothContacts::search_alone(const NearPair& pair
   const Vector3 distance = centre_distance(pair.i, pair.j);
   const double bounding_gap = this->bounding_gap(pair, distance);
   if (bounding_gap > 0.0) {
-    close(contact, forces);
-    defer(pair, bounding_gap, normalized(distance));
+    close_and_defer(pair, bounding_gap, normalized(distance), forces);
     return false;
   }
   const Vector3 remembered = -vector(&pair.history[normal_x]);
   if (dot(remembered, remembered) > 0.5) { // unit vector, or zero
     const double gap = -overlap_along(shapes_[pair.i], shapes_[pair.j], distance, remembered);
     if (gap > 0.0) {
-      defer(pair, gap, remembered);
+      close_and_defer(pair, gap, remembered, forces);
       return false;
     }
   }

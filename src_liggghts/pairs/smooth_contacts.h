@@ -58,10 +58,10 @@ class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
   };
 
   void begin_lists();
-  void check_new_pairs();
-  void check_due_pairs();
-  void check_gaps();
-  void find_gaps();
+  void check_new_pairs(PairForces& forces);
+  void check_due_pairs(PairForces& forces);
+  void check_gaps(PairForces& forces);
+  void find_gaps(PairForces& forces);
   void search_active_pairs(PairForces& forces);
   void search_together(PairForces& forces);
   bool search_alone(const NearPair& pair, PairForces& forces);
@@ -73,6 +73,8 @@ class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
   ellipsoid::Vector3 centre_distance(int i, int j) const;
   double bounding_gap(const NearPair& pair, const ellipsoid::Vector3& distance) const;
   void defer(const NearPair& pair, double gap, const ellipsoid::Vector3& normal);
+  void close_and_defer(const NearPair& pair, double gap, const ellipsoid::Vector3& normal,
+                       PairForces& forces);
   double share(int j) const { return j < particles_.owned ? 1.0 : 0.5; }
 };
 

@@ -11,6 +11,7 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "primitive_wall.h"
+#include "strict_settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -243,11 +244,12 @@ bool FixWallGranEllipsoid::find_and_apply_contacts(int i) {
 /// Gives the contacts their former values; returns the particle's row of the history.
 double* FixWallGranEllipsoid::take_history(int i) {
   if (static_cast<int>(contacts_.size()) > history_.slots())
-    error->one(FLERR, ("Fix wall/gran/ellipsoid (id " + std::string(id) + "): atom " +
-                       std::to_string(atom->tag[i]) + " touches at " +
-                       std::to_string(contacts_.size()) + " places, setting 'contacts' allows " +
-                       std::to_string(history_.slots()) + "; raise it")
-                          .c_str());
+    error->one(FLERR,
+               ("Fix wall/gran/ellipsoid (id " + std::string(id) + "): atom " +
+                std::to_string(atom->tag[i]) + " touches at " + std::to_string(contacts_.size()) +
+                " places, setting 'contacts' allows " + std::to_string(history_.slots()) + "; " +
+                LCM::ContactsSetting::remedy(static_cast<int>(contacts_.size())))
+                   .c_str());
   double* row = fix_history_primitive_->array_atom[i];
   history_.assign(contacts_, row, meshes_);
   return row;

@@ -153,7 +153,7 @@ def wall_rows():
                (c, GOOD[c].split("primitive")[0] + "mesh", "n_meshes", ""),
                (c, GOOD[c].split("primitive")[0] + "mesh n_meshes 1", "meshes", ""),
                (c, GOOD[c] + " contacts 0", "contacts", "0"),
-               (c, GOOD[c] + " contacts 65", "contacts", "65"),
+               (c, GOOD[c] + " contacts 32768", "contacts", "32768"),
                (c, GOOD[c].replace("surface smooth ", ""), "surface", ""),
                (c, GOOD[c].replace("surface smooth", "surface default"), "surface", "")])
 

@@ -2,8 +2,8 @@
 
 import unittest
 
-from _engine import LAW, Particle, Setup, quaternion_of, run
-from _multisphere import SURFACE, multisphere_setup, subspheres, wall
+from _engine import LAW, Particle, Setup, quaternion_of, run, thermo
+from _multisphere import SURFACE, multisphere_setup, pair_contacts, subspheres, wall
 
 AXES = (2.7e-3, 1.15e-3, 1.15e-3)
 
@@ -46,10 +46,10 @@ class Refusals(unittest.TestCase):
 
     def test_settings_of_the_pair_style(self):
         for settings, *wanted in (
-                ("contacts 0", "contacts", "'0'", "1 to 64"),
-                ("contacts 65", "contacts", "'65'", "1 to 64"),
-                ("contacts 1.5", "contacts", "'1.5'", "1 to 64"),
-                ("contacts x", "contacts", "'x'", "1 to 64"),
+                ("contacts 0", "contacts", "'0'", "1 to 32767"),
+                ("contacts 32768", "contacts", "'32768'", "1 to 32767"),
+                ("contacts 1.5", "contacts", "'1.5'", "1 to 32767"),
+                ("contacts x", "contacts", "'x'", "1 to 32767"),
                 ("contacts", "contacts"),
                 ("multicontact mean", "multicontact", "mean"),
                 ("multicontact", "multicontact")):
@@ -58,7 +58,7 @@ class Refusals(unittest.TestCase):
 
     def test_settings_of_walls(self):
         for settings, *wanted in (
-                ("contacts 0", "contacts", "'0'", "1 to 64"),
+                ("contacts 0", "contacts", "'0'", "1 to 32767"),
                 ("contacts", "contacts"),
                 ("multicontact mean", "multicontact", "mean")):
             with self.subTest(settings=settings):
@@ -88,16 +88,32 @@ class Refusals(unittest.TestCase):
 
     def test_more_contacts_than_slots(self):
         self.refused(self.flat_pair("contacts 1") + "run 1\n", "atoms 1 and 2", "setting 'contacts'",
-                     "raise it")
+                     "or more")
         self.refused(self.flat_pair("contacts 24") + "neigh_modify page 1000000\n"
                      + wall("floor", "zplane", 0.0, "contacts 1") + "run 1\n",
-                     "floor", "atom 1", "setting 'contacts'", "raise it")
+                     "floor", "atom 1", "setting 'contacts'", "or more")
 
     def test_history_larger_than_the_pages(self):
         """Of the host's neighbour lists: to be seen before the run, not as a crash in it."""
         self.refused(self.flat_pair("contacts 24") + "run 10\n", "contacts", "neigh_modify page", "240000")
         run(self.flat_pair("contacts 24") + "neigh_modify page 240000\nrun 10\n", name="in.pages_240000")
         run(self.flat_pair("contacts 24") + "neigh_modify one 800\nrun 10\n", name="in.one_800")
+
+    def test_more_contacts_than_64(self):
+        """The number is that of all pairs of spheres that overlap; one slot less is refused, and says how many."""
+        count, depth = 101, 1e-4
+        pair = [Particle((0.0, 0.0, k * (2 * AXES[1] - depth)), AXES) for k in (0, 1)]
+        touching = len(pair_contacts(*pair, count, count))
+        self.assertGreater(touching, 64)
+        self.assertLess(touching, 2000)
+
+        def text(slots):
+            return (multisphere_setup(f"contacts {slots}").with_particles(pair) + subspheres(count)
+                    + f"neigh_modify page {2000 * 5 * slots} one 2000\ncompute found all contacts/ellipsoid\n"
+                    "thermo_style custom step c_found[2]\nfix motion all nve/ellipsoid\nrun 3\n")
+        run(text(touching), name="in.many")
+        self.assertEqual(thermo("log.in.many", 2)[0][1], touching)
+        self.refused(text(touching - 1), f"'contacts' allows {touching - 1}", f"give 'contacts {touching}' or more")
 
     def test_largest_settings(self):
         """What is allowed is not refused."""
