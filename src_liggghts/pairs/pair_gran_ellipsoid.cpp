@@ -6,9 +6,11 @@
 #include "ellipsoid_host.h"
 #include "ellipsoid_models.h"
 #include "error.h"
+#include "fix_contact_history.h"
 #include "force.h"
 #include "host_models.h"
 #include "model_settings.h"
+#include "modify.h"
 #include "multisphere_contacts.h"
 #include "neighbor.h"
 #include "pair_forces.h"
@@ -16,9 +18,12 @@
 #include "smooth_contacts.h"
 #include "update.h"
 
+#include <cstdint>
 #include <map>
+#include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 using namespace LAMMPS_NS;
 using namespace LIGGGHTS;
@@ -66,6 +71,9 @@ SurfaceContacts* make_contacts(LAMMPS* lmp, PairGranEllipsoid& pair, int64_t var
     return nullptr;
   }
 }
+
+/// Begins the arguments in restart files, after the host's number of the models.
+constexpr std::int64_t arguments_mark = 0x53474e4954544553;
 
 } // namespace
 
@@ -120,6 +128,8 @@ void PairGranEllipsoid::settings(int narg, char** arg) {
   if (models_)
     error->all(FLERR, "pair_style gran/ellipsoid is given twice; give it once per run, or 'clear' "
                       "before the second");
+  for (int k = 0; k < narg; ++k)
+    arguments_ += (k ? " " : "") + std::string(arg[k]);
   const int64_t variant = ellipsoid_host::select_models(narg, arg, lmp, force);
   if (variant == -1)
     error->all(FLERR, "pair_style gran/ellipsoid: unknown contact model; allowed are the host's "
@@ -174,12 +184,43 @@ void PairGranEllipsoid::init_style() {
     error->all(FLERR,
                "pair_style gran/ellipsoid: with 'neighbor ... multi' the host makes no lists for "
                "granular pair styles; use 'bin' or 'nsq'");
+  if (arguments_.empty())
+    error->all(FLERR, "pair_style gran/ellipsoid: the restart file is of an earlier version and "
+                      "does not have the settings of this command; repeat it after read_restart");
+  save_contact_history();
   check_pages();
   ellipsoid_host::check_particles(lmp, "pair_style gran/ellipsoid");
   PairGran::init_style();
   if (store_multicontact_data_)
     error->all(FLERR, "pair_style gran/ellipsoid does not work with fix multicontact/halfspace; "
                       "remove that fix");
+  keep_arguments();
+}
+
+/// The host makes new neighbour lists for a run when another command wants one, or when pages
+/// differ from the host's default: histories go to the atoms before.
+void PairGranEllipsoid::save_contact_history() {
+  const int pages[2] = {neighbor->pgsize, neighbor->oneatom};
+  if (fix_history) {
+    if (pages[0] != pages_[0] || pages[1] != pages_[1])
+      error->all(FLERR, ("pair_style gran/ellipsoid: neigh_modify page and one were " +
+                         std::to_string(pages_[0]) + " and " + std::to_string(pages_[1]) +
+                         " in the last run, are " + std::to_string(pages[0]) + " and " +
+                         std::to_string(pages[1]) +
+                         " now, which would lose the contact history; keep them as they were, or "
+                         "write a restart file and go on from it")
+                            .c_str());
+    fix_history->setup_pre_exchange();
+  }
+  pages_[0] = pages[0];
+  pages_[1] = pages[1];
+}
+
+/// Stops if the contact history comes from a run with other arguments.
+void PairGranEllipsoid::keep_arguments() {
+  const char* words[] = {"pair_settings_ellipsoid", "all", "pair_settings/ellipsoid"};
+  if (modify->find_fix(words[0]) < 0)
+    modify->add_fix(3, const_cast<char**>(words));
 }
 
 /// The host keeps the histories of all partners of a particle in one page, and does not look
@@ -214,17 +255,39 @@ void PairGranEllipsoid::add_forces(int eflag, int vflag, bool for_list) {
 }
 
 void PairGranEllipsoid::write_restart_settings(FILE* file) {
-  const int64_t hash = models_->hashcode();
-  fwrite(&hash, sizeof(hash), 1, file);
+  const std::int64_t head[] = {hashcode(), arguments_mark,
+                               static_cast<std::int64_t>(arguments_.size())};
+  fwrite(head, sizeof(head), 1, file);
+  fwrite(arguments_.data(), 1, arguments_.size(), file);
 }
 
 void PairGranEllipsoid::read_settings_again(FILE* file) {
-  int64_t variant = -1;
-  if (comm->me == 0 && fread(&variant, sizeof(variant), 1, file) != 1)
-    error->one(FLERR, "The restart file ends within pair_style gran/ellipsoid; use a whole file");
-  MPI_Bcast(&variant, sizeof(variant), MPI_CHAR, 0, world);
-  create(variant);
-  read_settings(0, nullptr); // defaults: the file does not keep settings
+  std::int64_t head[3] = {-1, 0, 0}; // as written
+  const auto read = [this, file](void* to, std::size_t size) {
+    if (comm->me == 0 && fread(to, 1, size, file) != size)
+      error->one(FLERR, "The restart file ends within pair_style gran/ellipsoid; use a whole file");
+    MPI_Bcast(to, static_cast<int>(size), MPI_CHAR, 0, world);
+  };
+  read(head, sizeof(head[0]));
+  read(&head[1], sizeof(head[1]));
+  if (head[1] != arguments_mark) { // an earlier version: the number of the models alone
+    if (comm->me == 0)
+      fseek(file, -static_cast<long>(sizeof(head[1])), SEEK_CUR);
+    create(head[0]);
+    read_settings(0, nullptr);
+    return;
+  }
+  read(&head[2], sizeof(head[2]));
+  std::string text(static_cast<std::size_t>(head[2]), ' ');
+  read(text.data(), text.size());
+  std::vector<std::string> words;
+  std::istringstream stream(text);
+  for (std::string word; stream >> word;)
+    words.push_back(word);
+  std::vector<char*> arguments;
+  for (std::string& word : words)
+    arguments.push_back(word.data());
+  settings(static_cast<int>(arguments.size()), arguments.data());
 }
 
 void PairGranEllipsoid::warn_of_searches() {

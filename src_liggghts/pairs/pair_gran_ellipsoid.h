@@ -40,6 +40,9 @@ class PairGranEllipsoid : public ellipsoid_host::HostPairStyle,
   bool contact_match(const std::string type, const std::string model) override;
   int64_t hashcode() override;
 
+  /// The arguments of the command, models and settings, with a space between two.
+  const std::string& arguments() const { return arguments_; }
+
   /// What the contact search did in the last time step, on this rank.
   const LIGGGHTS::ContactCounts& counts() const { return counts_; }
   /// Gives the history registered so far `times` slots in all.
@@ -56,14 +59,18 @@ class PairGranEllipsoid : public ellipsoid_host::HostPairStyle,
   std::unique_ptr<LIGGGHTS::ContactModels::HostModels> models_;
   std::unique_ptr<LIGGGHTS::PairForces> forces_;
   LIGGGHTS::ContactCounts counts_;
+  std::string arguments_; // empty: of an older restart file, which does not have them
   bool warned_ = false;
-  std::string told_; // what was last said of batches
+  std::string told_;      // what was last said of batches
+  int pages_[2] = {0, 0}; // neigh_modify page and one when a run was last set up
 
   void create(int64_t variant);
   void read_settings(int narg, char** arg);
   void check_pages();
   void tell_of_batches();
   void warn_of_searches();
+  void keep_arguments();
+  void save_contact_history();
 };
 
 } // namespace LAMMPS_NS

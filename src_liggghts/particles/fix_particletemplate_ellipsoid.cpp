@@ -7,6 +7,7 @@
 #include "error.h"
 #include "fix_property_atom.h"
 #include "force.h"
+#include "insertion_space.h"
 #include "math_extra_liggghts.h"
 #include "memory.h"
 #include "modify.h"
@@ -65,7 +66,13 @@ int ParticleToInsertEllipsoid::check_near_set_x_v_omega(double* x, double* v, do
                                                         RegionNeighborList<interpolate_no>& near) {
   if (has_orientation)
     store(orientation, quat);
-  return ParticleToInsertSuperquadric::check_near_set_x_v_omega(x, v, omega, quat, near);
+  if (!ellipsoid_host::asks_for_room(this))
+    return ParticleToInsertSuperquadric::check_near_set_x_v_omega(x, v, omega, quat, near);
+  if (!ellipsoid_host::take_place(*this, x, quat))
+    return 0;
+  // for templates of the host
+  near.insert_superquadric(x, radius_ins[0], quat, shape_ins, blockiness_ins);
+  return ParticleToInsertSuperquadric::set_x_v_omega(x, v, omega, quat);
 }
 
 int ParticleToInsertEllipsoid::set_x_v_omega(double* x, double* v, double* omega, double* quat) {
@@ -244,6 +251,12 @@ void FixParticletemplateEllipsoid::check_moments() const {
         "no rigid body has; correct the values");
 }
 
+std::string FixParticletemplateEllipsoid::sphere_chain() const {
+  return subspheres_ == 0
+             ? "no subspheres"
+             : "subspheres " + std::to_string(subspheres_) + " spacing " + word_of(spacing_);
+}
+
 /// Both the most and the least elongated particle must have a chain.
 void FixParticletemplateEllipsoid::check_multisphere() const {
   using ellipsoid::SizeDistribution;
@@ -291,6 +304,7 @@ void FixParticletemplateEllipsoid::fill(ParticleToInsertEllipsoid& p,
   store(ellipsoid::Vector3{}, p.v_ins);
   store(ellipsoid::Vector3{}, p.omega_ins);
   p.groupbit = groupbit;
+  p.source = const_cast<FixParticletemplateEllipsoid*>(this);
   p.subspheres = subspheres_;
   p.spacing = spacing_;
 }

@@ -17,6 +17,7 @@ FixStyle(particletemplate/ellipsoid,FixParticletemplateEllipsoid)
 
 #include <array>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace ellipsoid_host {
@@ -34,7 +35,8 @@ class ParticleToInsertEllipsoid : public ParticleToInsertSuperquadric {
   int set_x_v_omega(double* x, double* v, double* omega, double* quat) override;
   int insert() override;
 
-  int subspheres = 0; ///< N of a multi-sphere particle, 0: smooth
+  class Fix* source = nullptr; ///< its template
+  int subspheres = 0;          ///< N of a multi-sphere particle, 0: smooth
   ellipsoid::SphereSpacing spacing = ellipsoid::SphereSpacing::paper;
   bool has_orientation = false; ///< use `orientation`, whatever the inserting fix says
   ellipsoid::Quaternion orientation;
@@ -58,6 +60,8 @@ class FixParticletemplateEllipsoid : public FixTemplateSphere {
   unsigned int generate_hash() override;
 
   bool planar() const { return planar_; }
+  /// Number of sub-spheres and their spacing, in words.
+  std::string sphere_chain() const;
   /// Shape, mass and moments; neither position nor orientation.
   /// @param[in] uniform source of numbers in [0, 1), one is taken for each `vary`
   void fill(ParticleToInsertEllipsoid& particle, const std::function<double()>& uniform) const;

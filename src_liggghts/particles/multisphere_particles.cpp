@@ -59,25 +59,40 @@ void MultisphereParticles::find_properties() {
                "fix particletemplate/ellipsoid, or fix property/atom subspheres");
 }
 
-const ellipsoid::SphereChain* MultisphereParticles::chain(int i) {
-  const double* axes = atom->shape[i];
-  const int count = static_cast<int>(std::lround(subspheres_->vector_atom[i]));
-  const int spacing = spacing_ ? static_cast<int>(std::lround(spacing_->vector_atom[i])) : 0;
-  const double aspect = axes[0] / axes[1];
+const ellipsoid::SphereChain* MultisphereParticles::chain(const double* semiaxes, int count,
+                                                          int spacing) {
+  const double aspect = semiaxes[0] / semiaxes[1];
   auto& entry = chains_[Key(std::llround(aspect / aspect_resolution), count, spacing)];
   if (entry)
     return entry.get();
+  if (semiaxes[1] != semiaxes[2])
+    throw std::invalid_argument("the semi-axes b and c differ; multi-spheres need b = c");
+  entry.reset(new ellipsoid::SphereChain(
+      make_multisphere(aspect, 1.0, count, static_cast<ellipsoid::SphereSpacing>(spacing))));
+  return entry.get();
+}
+
+const ellipsoid::SphereChain* MultisphereParticles::chain(int i) {
+  const int count = static_cast<int>(std::lround(subspheres_->vector_atom[i]));
+  const int spacing = spacing_ ? static_cast<int>(std::lround(spacing_->vector_atom[i])) : 0;
   try {
-    if (axes[1] != axes[2])
-      throw std::invalid_argument("the semi-axes b and c differ; multi-spheres need b = c");
-    entry.reset(new ellipsoid::SphereChain(
-        make_multisphere(aspect, 1.0, count, static_cast<ellipsoid::SphereSpacing>(spacing))));
+    return chain(atom->shape[i], count, spacing);
   } catch (const std::invalid_argument& problem) {
     error->one(FLERR,
                ("surface multisphere, atom " + std::to_string(atom->tag[i]) + ": " + problem.what())
                    .c_str());
   }
-  return entry.get();
+  return nullptr;
+}
+
+ellipsoid::ChainPose MultisphereParticles::make_pose(const double* semiaxes,
+                                                     const double* quaternion, int count,
+                                                     int spacing) {
+  ellipsoid::ChainPose pose;
+  pose.chain = chain(semiaxes, count, spacing);
+  pose.axis = ellipsoid::rotation(ellipsoid_host::quaternion(quaternion)).column_x;
+  pose.scale = semiaxes[1];
+  return pose;
 }
 
 void MultisphereParticles::place(int i, ellipsoid::ChainPose& pose) const {

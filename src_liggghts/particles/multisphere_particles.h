@@ -44,6 +44,10 @@ class MultisphereParticles : private LAMMPS_NS::Pointers {
   void find_properties();
   /// Pose of one owned particle.
   ellipsoid::ChainPose make_pose(int i);
+  /// Pose of a particle that may be no atom.
+  /// @throws std::invalid_argument these semi-axes have no such chain
+  ellipsoid::ChainPose make_pose(const double* semiaxes, const double* quaternion, int count,
+                                 int spacing);
 
  private:
   using Key = std::tuple<long long, int, int>; // aspect ratio in units of 1e-12, N, spacing
@@ -55,6 +59,7 @@ class MultisphereParticles : private LAMMPS_NS::Pointers {
   LAMMPS_NS::FixPropertyAtom* spacing_ = nullptr;
 
   const ellipsoid::SphereChain* chain(int i);
+  const ellipsoid::SphereChain* chain(const double* semiaxes, int count, int spacing);
   void begin_lists(std::size_t count);
   void move();
   void place(int i, ellipsoid::ChainPose& pose) const;

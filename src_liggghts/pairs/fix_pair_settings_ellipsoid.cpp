@@ -1,0 +1,115 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "fix_pair_settings_ellipsoid.h"
+
+#include "comm.h"
+#include "error.h"
+#include "fix_particletemplate_ellipsoid.h"
+#include "force.h"
+#include "modify.h"
+#include "pair_gran_ellipsoid.h"
+
+#include <algorithm>
+#include <cstring>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+constexpr char wall_style[] = "wall/gran/ellipsoid";
+
+/// Models come first, in one order; the settings after them may have any.
+std::vector<std::string> in_one_order(const std::string& arguments) {
+  std::vector<std::string> pairs;
+  std::istringstream stream(arguments);
+  for (std::string keyword, value; stream >> keyword;) {
+    stream >> value;
+    pairs.push_back(keyword + " " + value);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+} // namespace
+
+FixPairSettingsEllipsoid::FixPairSettingsEllipsoid(LAMMPS* lmp, int narg, char** arg)
+    : Fix(lmp, narg, arg) {
+  restart_global = 1;
+}
+
+std::string FixPairSettingsEllipsoid::present_arguments() const {
+  const auto* pair = dynamic_cast<PairGranEllipsoid*>(force->pair_match("gran/ellipsoid", 1));
+  return pair ? pair->arguments() : std::string();
+}
+
+/// One line with the arguments, one more for each wall and each template.
+void FixPairSettingsEllipsoid::write_restart(FILE* file) {
+  if (comm->me != 0)
+    return;
+  std::string state = present_arguments() + "\n";
+  for (int k = 0; k < modify->nfix; ++k) {
+    const std::string id = modify->fix[k]->id;
+    if (std::strcmp(modify->fix[k]->style, wall_style) == 0)
+      state += "wall " + id + "\n";
+    if (const auto* grain = dynamic_cast<FixParticletemplateEllipsoid*>(modify->fix[k]))
+      state += "template " + id + " " + grain->sphere_chain() + "\n";
+  }
+  const int size = static_cast<int>(state.size()) + 1;
+  fwrite(&size, sizeof(int), 1, file);
+  fwrite(state.c_str(), 1, static_cast<std::size_t>(size), file);
+}
+
+void FixPairSettingsEllipsoid::restart(ELLIPSOID_RESTART_PARAMETERS) {
+  std::istringstream lines(buffer);
+  std::string line;
+  std::getline(lines, line);
+  compare_arguments(line);
+  while (std::getline(lines, line)) {
+    std::istringstream words(line);
+    std::string what, id, chain;
+    words >> what >> id;
+    std::getline(words >> std::ws, chain);
+    if (what == "wall")
+      look_for_wall(id);
+    else
+      compare_template(id, chain);
+  }
+}
+
+void FixPairSettingsEllipsoid::compare_arguments(const std::string& former) const {
+  const std::string present = present_arguments();
+  if (former.empty() || in_one_order(former) == in_one_order(present))
+    return;
+  error->all(FLERR, ("The contact history of the restart file belongs to 'pair_style "
+                     "gran/ellipsoid " +
+                     former + "', the script has 'pair_style gran/ellipsoid " + present +
+                     "'; repeat the former or leave the command out, or begin without contact "
+                     "history by write_data and read_data")
+                        .c_str());
+}
+
+void FixPairSettingsEllipsoid::look_for_wall(const std::string& wall) const {
+  const int index = modify->find_fix(wall.c_str());
+  if (comm->me != 0 || (index >= 0 && std::strcmp(modify->fix[index]->style, wall_style) == 0))
+    return;
+  error->warning(FLERR, ("The restart file has contacts with the wall of fix " +
+                         std::string(wall_style) + " '" + wall +
+                         "', which is not there; repeat the command with this ID if the wall still "
+                         "stands, or its friction starts anew")
+                            .c_str());
+}
+
+void FixPairSettingsEllipsoid::compare_template(const std::string& id,
+                                                const std::string& former) const {
+  const int index = modify->find_fix(id.c_str());
+  const auto* grain =
+      index < 0 ? nullptr : dynamic_cast<FixParticletemplateEllipsoid*>(modify->fix[index]);
+  if (!grain || grain->sphere_chain() == former || comm->me != 0)
+    return;
+  error->warning(FLERR, ("Fix particletemplate/ellipsoid '" + id + "' has " +
+                         grain->sphere_chain() + ", in the restart file it had " + former +
+                         ": the particles of the file keep theirs")
+                            .c_str());
+}

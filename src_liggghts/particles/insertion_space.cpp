@@ -1,0 +1,293 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "insertion_space.h"
+
+#include "atom.h"
+#include "bounding_box.h"
+#include "comm.h"
+#include "domain.h"
+#include "ellipsoid_host.h"
+#include "error.h"
+#include "fix.h"
+#include "fix_particletemplate_ellipsoid.h"
+#include "fix_property_atom.h"
+#include "force.h"
+#include "insertion/occupied_space.h"
+#include "modify.h"
+#include "multisphere_particles.h"
+#include "pair_gran.h"
+#include "region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace LAMMPS_NS;
+using ellipsoid::SolidBody;
+using ellipsoid::Vector3;
+
+namespace ellipsoid_host {
+namespace {
+
+/// Spheres may stick out of the bounding sphere of their ellipsoid by the ripple of spacing
+/// minimax.
+constexpr double sticking_out = 1.2;
+
+/// A body as it goes to other ranks.
+struct PlainBody {
+  double centre[3], radius, semiaxes[3], quaternion[4], subspheres, spacing;
+};
+constexpr int numbers_of_plain_body = sizeof(PlainBody) / sizeof(double);
+
+/// A box of the space.
+struct Box {
+  double low[3], high[3];
+
+  /// Whether a ball reaches into the box.
+  bool meets(const double* centre, double radius) const {
+    for (int k = 0; k < 3; ++k)
+      if (centre[k] + radius < low[k] || centre[k] - radius > high[k])
+        return false;
+    return true;
+  }
+};
+
+class InsertionSpace : private Pointers {
+ public:
+  explicit InsertionSpace(LAMMPS* lmp)
+      : Pointers(lmp), chains_(lmp),
+        of_spheres_(static_cast<PairGran*>(force->pair_match("gran/ellipsoid", 1))
+                        ->contact_match("surface", "multisphere")) {}
+
+  void load(BoundingBox& reached, double largest_radius);
+  void stay_within(Region* region) { within_ = region; }
+  bool take(const ParticleToInsertEllipsoid& particle, const double* centre,
+            const double* quaternion);
+
+ private:
+  ellipsoid::OccupiedSpace space_;
+  MultisphereParticles chains_;
+  bool of_spheres_;
+  Region* within_ = nullptr;
+
+  PlainBody plain_body(int i, const SubsphereProperties& properties) const;
+  SolidBody solid_body(const PlainBody& body);
+  void add_images(const PlainBody& body, const Box& room, bool itself);
+  bool is_within_region(const SolidBody& body, const PlainBody& plain) const;
+};
+
+PlainBody InsertionSpace::plain_body(int i, const SubsphereProperties& properties) const {
+  PlainBody body{};
+  std::copy_n(atom->x[i], 3, body.centre);
+  body.radius = sticking_out * atom->radius[i];
+  std::copy_n(atom->shape[i], 3, body.semiaxes);
+  std::copy_n(atom->quaternion[i], 4, body.quaternion);
+  body.subspheres = properties[0] ? properties[0]->vector_atom[i] : 0.0;
+  body.spacing = properties[1] ? properties[1]->vector_atom[i] : 0.0;
+  return body;
+}
+
+SolidBody InsertionSpace::solid_body(const PlainBody& body) {
+  const Vector3 centre = vector(body.centre);
+  if (!of_spheres_ || body.subspheres == 0.0)
+    return ellipsoid::smooth_body(centre, vector(body.semiaxes), quaternion(body.quaternion));
+  try {
+    return ellipsoid::chain_body(centre, chains_.make_pose(body.semiaxes, body.quaternion,
+                                                           static_cast<int>(body.subspheres),
+                                                           static_cast<int>(body.spacing)));
+  } catch (const std::invalid_argument& problem) {
+    error->one(FLERR, (std::string("surface multisphere, insertion: ") + problem.what()).c_str());
+  }
+  return {};
+}
+
+/// The images of a body, and the body itself if wanted, that reach into the room.
+void InsertionSpace::add_images(const PlainBody& body, const Box& room, bool itself) {
+  const int* periodic = domain->periodicity;
+  for (int ix = -periodic[0]; ix <= periodic[0]; ++ix)
+    for (int iy = -periodic[1]; iy <= periodic[1]; ++iy)
+      for (int iz = -periodic[2]; iz <= periodic[2]; ++iz) {
+        if (!itself && ix == 0 && iy == 0 && iz == 0)
+          continue;
+        PlainBody image = body;
+        image.centre[0] +=
+            ix * domain->xprd + (domain->triclinic ? iy * domain->xy + iz * domain->xz : 0.0);
+        image.centre[1] += iy * domain->yprd + (domain->triclinic ? iz * domain->yz : 0.0);
+        image.centre[2] += iz * domain->zprd;
+        if (room.meets(image.centre, image.radius))
+          space_.add(solid_body(image));
+      }
+}
+
+/// Bodies that reach out of their rank's domain go to all ranks: the others matter only here.
+void InsertionSpace::load(BoundingBox& reached, double largest_radius) {
+  Box room, own;
+  reached.getBoxBounds(room.low, room.high);
+  for (int k = 0; k < 3; ++k) { // what new bodies can reach, around their centres
+    room.low[k] += largest_radius;
+    room.high[k] -= largest_radius;
+    own.low[k] = domain->sublo[k];
+    own.high[k] = domain->subhi[k];
+  }
+  const SubsphereProperties properties = subsphere_properties(modify);
+  std::vector<PlainBody> shared;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const PlainBody body = plain_body(i, properties);
+    bool crosses = domain->triclinic;
+    for (int k = 0; k < 3; ++k)
+      crosses = crosses || body.centre[k] - body.radius < own.low[k] ||
+                body.centre[k] + body.radius > own.high[k];
+    if (crosses)
+      shared.push_back(body);
+    if (room.meets(body.centre, body.radius))
+      space_.add(solid_body(body));
+  }
+  const int mine = static_cast<int>(shared.size()) * numbers_of_plain_body;
+  std::vector<int> counts(static_cast<std::size_t>(comm->nprocs)), begins(counts.size());
+  MPI_Allgather(&mine, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
+  int total = 0;
+  for (std::size_t rank = 0; rank < counts.size(); ++rank) {
+    begins[rank] = total;
+    total += counts[rank];
+  }
+  std::vector<PlainBody> all(static_cast<std::size_t>(total / numbers_of_plain_body));
+  MPI_Allgatherv(shared.data(), mine, MPI_DOUBLE, all.data(), counts.data(), begins.data(),
+                 MPI_DOUBLE, world);
+  const std::size_t my_first =
+      static_cast<std::size_t>(begins[static_cast<std::size_t>(comm->me)] / numbers_of_plain_body);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    add_images(all[k], room, k < my_first || k >= my_first + shared.size());
+}
+
+/// Exact for blocks, spheres and cylinders; in other regions the bounding sphere must lie within.
+bool InsertionSpace::is_within_region(const SolidBody& body, const PlainBody& plain) const {
+  PlainBody copy = plain;
+  if (within_->match_shrinkby_cut(copy.centre, body.bounding_radius))
+    return true;
+  if (!within_->interior)
+    return false;
+  const std::array<double, 3> low{within_->extent_xlo, within_->extent_ylo, within_->extent_zlo},
+      high{within_->extent_xhi, within_->extent_yhi, within_->extent_zhi};
+  const Vector3 middle{0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]),
+                       0.5 * (low[2] + high[2])};
+  if (std::strcmp(within_->style, "block") == 0)
+    return is_inside_block(body, low, high);
+  if (std::strcmp(within_->style, "sphere") == 0)
+    return is_inside_ball(body, middle, 0.5 * (high[0] - low[0]));
+  if (std::strcmp(within_->style, "cylinder") != 0)
+    return false;
+  // Its axis is the one along which a corner of the bounding box, seen from the middle, is inside.
+  constexpr double nearly = 0.99;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto across = static_cast<std::size_t>((axis + 1) % 3);
+    double probe[3] = {middle.x, middle.y, middle.z};
+    for (std::size_t k = 0; k < 3; ++k)
+      if (static_cast<int>(k) != axis)
+        probe[k] += 0.5 * nearly * (high[k] - low[k]);
+    if (within_->match(probe[0], probe[1], probe[2]))
+      continue; // this face of the bounding box is a square of the cylinder's side, not its end
+    const auto along = static_cast<std::size_t>(axis);
+    return is_inside_cylinder(body, axis, middle, 0.5 * (high[across] - low[across]), low[along],
+                              high[along]);
+  }
+  return false;
+}
+
+bool InsertionSpace::take(const ParticleToInsertEllipsoid& particle, const double* centre,
+                          const double* quaternion) {
+  PlainBody plain{};
+  std::copy_n(centre, 3, plain.centre);
+  std::copy_n(particle.shape_ins, 3, plain.semiaxes);
+  std::copy_n(quaternion, 4, plain.quaternion);
+  plain.radius = particle.r_bound_ins;
+  plain.subspheres = particle.subspheres;
+  plain.spacing = static_cast<double>(particle.spacing);
+  const SolidBody body = solid_body(plain);
+  const bool may_meet_others =
+      comm->nprocs > 1 || domain->xperiodic || domain->yperiodic || domain->zperiodic;
+  if (may_meet_others && domain->dist_subbox_borders(plain.centre) < body.bounding_radius)
+    return false;
+  if ((within_ && !is_within_region(body, plain)) || !space_.is_free(body))
+    return false;
+  space_.add(body);
+  return true;
+}
+
+/// Of the insertion at hand: one after the other is made.
+std::unique_ptr<InsertionSpace>& present_space() {
+  static std::unique_ptr<InsertionSpace> space;
+  return space;
+}
+
+} // namespace
+
+void begin_insertion(LAMMPS* lmp, BoundingBox& reached, double largest_radius) {
+  present_space().reset();
+  if (!lmp->force->pair_match("gran/ellipsoid", 1))
+    return;
+  present_space().reset(new InsertionSpace(lmp));
+  present_space()->load(reached, largest_radius);
+}
+
+void insert_within(Region* region) {
+  if (present_space())
+    present_space()->stay_within(region);
+}
+
+bool asks_for_room(ParticleToInsert* particle) {
+  return present_space() && dynamic_cast<ParticleToInsertEllipsoid*>(particle);
+}
+
+bool take_place(const ParticleToInsertEllipsoid& particle, const double* centre,
+                const double* quaternion) {
+  return present_space()->take(particle, centre, quaternion);
+}
+
+void report_missing(LAMMPS* lmp, Fix* insertion, ParticleToInsert** list, int placed, int wanted,
+                    bool once) {
+  if (!lmp->force->pair_match("gran/ellipsoid", 1))
+    return;
+  const Modify& modify = *lmp->modify;
+  // placed, then wanted, of each template
+  const auto templates = static_cast<std::size_t>(modify.nfix);
+  std::vector<int> mine(2 * templates), all(2 * templates);
+  for (int k = 0; k < wanted; ++k) {
+    const auto* particle = dynamic_cast<ParticleToInsertEllipsoid*>(list[k]);
+    for (std::size_t t = 0; particle && t < templates; ++t)
+      if (particle->source == modify.fix[t]) {
+        mine[t] += k < placed;
+        ++mine[templates + t];
+      }
+  }
+  MPI_Allreduce(mine.data(), all.data(), static_cast<int>(all.size()), MPI_INT, MPI_SUM,
+                lmp->world);
+  double sums[2] = {0.0, 0.0};
+  for (std::size_t t = 0; t < templates; ++t) {
+    sums[0] += all[t];
+    sums[1] += all[templates + t];
+  }
+  if (sums[0] >= sums[1])
+    return;
+  std::string missing;
+  bool other_composition = false;
+  for (std::size_t t = 0; t < templates; ++t) {
+    const int found = all[t], sought = all[templates + t];
+    if (sought == 0)
+      continue;
+    missing += (missing.empty() ? "" : ", ") + std::to_string(found) + " of " +
+               std::to_string(sought) + " of template '" + modify.fix[t]->id + "'";
+    other_composition = other_composition || std::fabs(found - sought * sums[0] / sums[1]) > 1.0;
+  }
+  const std::string message = std::string("Fix ") + insertion->style + " (id " + insertion->id +
+                              "): no room for all particles, placed were " + missing +
+                              "; use fewer particles, a larger region, or more 'maxattempt'";
+  if (once && other_composition)
+    lmp->error->all(FLERR, (message + ": the composition is not that of the mixture").c_str());
+  if (lmp->comm->me == 0)
+    lmp->error->warning(FLERR, message.c_str());
+}
+
+} // namespace ellipsoid_host
