@@ -1,4 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "csv_table.h"
 #include "frame_loop.h"
 #include "frame_stream.h"
 #include "gravity_options.h"
@@ -12,6 +13,7 @@
 #include "run_log.h"
 #include "run_state.h"
 #include "run_summary.h"
+#include "table_charts.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -25,6 +27,7 @@ namespace {
 struct ReportOptions : PileCommandOptions {
   std::string output = "report.html";
   std::string title = "Piling of ellipsoids";
+  std::vector<std::string> curves, maps; ///< file and columns of several pictures in one row
 };
 
 const std::vector<std::string> groups = {"surface", "subspheres"};
@@ -183,6 +186,35 @@ std::string figures_of(const Table& runs) {
   return html;
 }
 
+constexpr std::size_t words_of_curve = 3, words_of_map = 4; ///< file and columns
+
+void check(const std::vector<std::string>& words, std::size_t each, const std::string& option) {
+  if (words.size() % each != 0)
+    throw InputError(fmt::format("{} needs {} words for each picture, found {} altogether", option,
+                                 each, words.size()));
+}
+
+/// Curves and maps of any columns of CSV files, as other commands write them.
+std::string measures_of(const ReportOptions& options) {
+  constexpr int width = 900, height = 600; // pixels
+  std::string html;
+  for (std::size_t k = 0; k < options.curves.size(); k += words_of_curve) {
+    const std::string &file = options.curves[k], &x = options.curves[k + 1],
+                      &y = options.curves[k + 2];
+    const Chart chart = curve_chart(read_csv_files({file}, {x, y}), {x, "", {y}, "", ""});
+    html += html_picture(draw_charts(PictureFormat::svg, {chart}, width, height),
+                         fmt::format("{} over {}: {}", label_of_key(y), label_of_key(x), file));
+  }
+  for (std::size_t k = 0; k < options.maps.size(); k += words_of_map) {
+    const std::string &file = options.maps[k], &x = options.maps[k + 1], &y = options.maps[k + 2],
+                      &value = options.maps[k + 3];
+    html += html_picture(draw_map(PictureFormat::svg, read_csv_files({file}, {x, y, value}),
+                                  {x, "", {y}, value, ""}, width, height),
+                         fmt::format("{}: {}", label_of_key(value), file));
+  }
+  return html;
+}
+
 std::string page(const ReportOptions& options, const Findings& findings) {
   std::string body;
   for (const std::string& run : incomplete_runs(findings.runs))
@@ -194,6 +226,8 @@ std::string page(const ReportOptions& options, const Findings& findings) {
   if (const Table compared = compared_with_paper(findings.runs); !compared.rows.empty())
     body += "<h2>Compared with the paper</h2>\n" + html_table(compared);
   body += "<h2>Figures</h2>\n" + figures_of(findings.runs);
+  if (const std::string measures = measures_of(options); !measures.empty())
+    body += "<h2>Measures</h2>\n" + measures;
   constexpr std::size_t few = 6; // runs side by side on a page
   const auto names = short_names(findings.runs);
   const Table runs = renamed(findings.runs, names);
@@ -216,6 +250,8 @@ std::string page(const ReportOptions& options, const Findings& findings) {
 }
 
 int report(ReportOptions& options) {
+  check(options.curves, words_of_curve, "--curve");
+  check(options.maps, words_of_map, "--map");
   options.frames.runs = with_folders_opened(options.frames.runs);
   Findings findings;
   const int code = for_chosen_frames(
@@ -245,6 +281,10 @@ void add_report_command(CLI::App& program, int& exit_code) {
   add_gravity_option(*command, options->gravity);
   command->add_option("--output,-o", options->output, "file name")->capture_default_str();
   command->add_option("--title", options->title, "heading of the page")->capture_default_str();
+  command->add_option("--curve", options->curves,
+                      "CSV file of any command and two columns: a curve, and more of them");
+  command->add_option("--map", options->maps,
+                      "CSV file and three columns, x, y and the colours': a map, and more of them");
   command->callback([options, &exit_code] {
     options->frames.quiet = true;
     try {

@@ -5,7 +5,7 @@ import math
 import os
 import random
 
-from _synthetic import COLUMNS, json_of, particle, post, rows_of, write
+from _synthetic import COLUMNS, frame_text, json_of, particle, post, rows_of, wedge, write
 
 G = 10.0
 
@@ -326,6 +326,14 @@ def check_map():
     post("plot", "map", "map.csv", "--x", "x", "--y", "y", "--value", "v", "-o", "map.svg")
     with open("map.svg", encoding="utf8") as file:
         assert file.read().count("<p") > 12
+    pile = write("pile.dump", frame_text(1, wedge()))
+    post("report", pile, "-o", "r.html", "--curve", "map.csv", "x", "v", "map.csv", "y", "v", "--map",
+         "map.csv", "x", "y", "v")
+    with open("r.html", encoding="utf8") as file:
+        text = file.read()
+    assert "<h2>Measures</h2>" in text and "v over x: map.csv" in text and "v: map.csv" in text
+    _, error = post("report", pile, "-o", "none.html", "--curve", "map.csv", "x", expect=1)
+    assert "3 words" in error and not os.path.exists("none.html"), error
     for words, arguments in (("--x and --y", ("curve", "map.csv")), ("--value", ("map", "map.csv", "--x", "x",
                                                                                "--y", "y")),
                              ('"w"', ("curve", "map.csv", "--x", "x", "--y", "w"))):
