@@ -59,6 +59,7 @@ class UpstreamFixes(unittest.TestCase):
         places = []
         for seed in (15485863, 32452843):
             run(Setup().without_particles() + f"create_atoms 1 random 10 {seed} NULL\n"
+                + "set group all shape 0.003 0.002 0.001\nset group all density 1340\n"
                 + dump("random.dump", columns=["id", "x", "y", "z"]) + "run 0\n", name="in.random")
             places.append(vectors(read_dump("random.dump")[1], "x", "y", "z")[0])
         self.assertEqual(places[0].shape, (10, 3))
