@@ -6,18 +6,22 @@
 #include "run_log.h"
 
 #include <fmt/format.h>
+#include <utility>
 
 namespace ellipsoid::post {
 
 void append_completeness(Row& row, const ChosenFrame& chosen) {
   const RunLog* log = run_log_of(chosen.frame.place.file);
-  const std::optional<bool> is_complete = log ? log->is_complete() : std::nullopt;
-  row.push_back({"run_is_complete", "run came to its end", "",
-                 is_complete ? Value(*is_complete) : Value(std::string("unknown"))});
-  if (is_complete && !*is_complete)
-    report_warning(fmt::format("{}: the run is not complete: {} says that it reached step {} of {}",
-                               chosen.run, log->path, *log->reached_step, *log->wanted_step),
-                   "end of " + chosen.run);
+  Value state(std::string("unknown"));
+  if (const std::optional<bool> is_complete = log ? log->is_complete() : std::nullopt) {
+    state = *is_complete;
+    if (!*is_complete)
+      report_warning(fmt::format("{}: the run is not complete: {} says that it reached step {} of "
+                                 "{}",
+                                 chosen.run, log->path, *log->reached_step, *log->wanted_step),
+                     "end of " + chosen.run);
+  }
+  row.push_back({"run_is_complete", "run came to its end", "", std::move(state)});
 }
 
 std::vector<std::string> incomplete_runs(const Table& runs) {
