@@ -65,7 +65,7 @@ setsid bash "$ELLIPSOID_SOURCE/inputs/campaign.sh" --out polite "${one[@]}" --jo
   "${variables[@]}" >polite.out 2>&1 &
 polite_group=$!
 for _ in $(seq 12000); do
-  [[ $(newest_step polite/smooth_seed1) -le 0 ]] || break
+  [[ $(newest_step polite/smooth_seed1) -lt 60000 ]] || break # there is a frame with particles
   sleep 0.02
 done
 pkill -TERM --pgroup "$polite_group" -x liggghts || fail "the run was over before it could be interrupted"
