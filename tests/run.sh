@@ -8,8 +8,8 @@ set -euo pipefail
 # shellcheck source=../inputs/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../inputs/setup.sh"
 
-# what checks the sources and the pages
-wanted_packages+=(chromium clang-format clang-tidy python3-sphinx python3-myst-parser python3-sphinx-rtd-theme)
+# what checks the sources and the pages, and what films are joined with
+wanted_packages+=(chromium ffmpeg clang-format clang-tidy python3-sphinx python3-myst-parser python3-sphinx-rtd-theme)
 
 stage "1/4 Packages"
 install_missing_packages "$@"
