@@ -269,7 +269,7 @@ class WrongUse(unittest.TestCase):
             self.refused(f"compute c all {style} id heatFlux\n", style, "heatFlux", "contactArea")
         self.refused("compute c all wall/ellipsoid/local\n", "wall/ellipsoid/local",
                      "fix wall/gran/ellipsoid")
-        self.refused("compute c all pair/ellipsoid/local\n", "pair/ellipsoid/local",
+        self.refused("compute c all pair/ellipsoid/local\n", "pair_style gran does not work",
                      "gran/ellipsoid", setup=Setup(pair="gran model hertz surface superquadric"))
 
 
