@@ -45,7 +45,7 @@ def energies(integrator, time_step, seed):
     script = setup.with_particles(particles) + f"""
 fix motion all nve/ellipsoid integrator {integrator}
 compute search all contacts/ellipsoid
-compute turning all erotate/superquadric
+compute turning all erotate/ellipsoid
 thermo_style custom step ke c_turning c_search[1]
 thermo {max(1, steps // 4000)}
 thermo_modify norm no lost error format float %.16g

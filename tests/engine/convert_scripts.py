@@ -1,6 +1,7 @@
 """The scripts of src_liggghts/doc/howto_convert.md: spheres, superquadrics and ellipsoids run and end at rest on the floor; what the page's tables say is what the scripts do; nothing else differs.
 
-The superquadrics have the ellipsoids' shape: they begin at the same places with the same orientations.
+The superquadrics have the ellipsoids' shape. (They do not begin at the same places: overlaps of ellipsoids
+are looked for between the true bodies, so that fewer tries are given up.)
 """
 
 import os
@@ -75,14 +76,10 @@ class ConvertScripts(unittest.TestCase):
             self.assertEqual(columns["id"].shape[1], PARTICLES, kind)
             self.assertTrue(0.0 < columns["z"].min() and columns["z"].max() < 0.02, kind)
 
-    def test_superquadrics_begin_as_the_ellipsoids(self):
-        names = ("x", "y", "z", "shapex", "shapey", "shapez", "quat1", "quat2", "quat3", "quat4")
-        frames = [read_dump(f"{kind}_1000.dump")[1] for kind in ("superquadrics", "ellipsoids")]
-        order = [np.argsort(frame["id"][0]) for frame in frames]
-        found = [vectors(frame, *names)[0][o] for frame, o in zip(frames, order)]
-        places = np.abs(found[0][:, :3] - found[1][:, :3]).max(1)
-        print(f"after 1000 steps {int((places < 1e-7).sum())} of {PARTICLES} are at the same place")
-        self.assertGreater((places < 1e-7).sum(), PARTICLES // 2)
+    def test_superquadrics_have_the_ellipsoids_shapes(self):
+        shapes = [vectors(read_last(kind), "shapex", "shapey", "shapez")[0]
+                  for kind in ("superquadrics", "ellipsoids")]
+        np.testing.assert_allclose(shapes[0], shapes[1], rtol=1e-5)  # digits of the dump
 
     def changed(self, heading, name):
         """Runs the ellipsoid script with the changes of a two-column table; its last frame."""

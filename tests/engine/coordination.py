@@ -120,7 +120,7 @@ class WrongUse(unittest.TestCase):
     def test_wrong_use_is_refused(self):
         for style in "coordination/ellipsoid", "erotate/ellipsoid":
             self.refused(f"compute c all {style} 3\n", style, "no arguments", "remove")
-        self.refused("compute c all coordination/ellipsoid\n", "coordination/ellipsoid",
+        self.refused("compute c all coordination/ellipsoid\n", "pair_style gran does not work",
                      "gran/ellipsoid", pair="gran model hertz surface superquadric")
         self.refused("compute c all erotate/ellipsoid\n", "erotate/ellipsoid",
                      "granular/ellipsoid", pair="gran model hertz", atom_style="sphere")

@@ -48,7 +48,7 @@ class EnergyBox(unittest.TestCase):
         setup.time_step = contact_time / 50.0
         script = setup.with_particles(bodies) + "fix motion all nve/ellipsoid\n"
         script += f"""compute search all contacts/ellipsoid
-compute turning all erotate/superquadric
+compute turning all erotate/ellipsoid
 fix mean all ave/time 1 {STEPS} {STEPS} c_search[1] file contacts.txt
 thermo_style custom step ke c_turning c_search[1] c_search[6]
 thermo 100
