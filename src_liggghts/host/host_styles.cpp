@@ -54,12 +54,14 @@ const std::vector<UnsuitedStyles>& unsuited_styles() {
        "knows spheres only; use 'fix ID GROUP check/timestep/ellipsoid'"},
       {"fix", {"multicontact/halfspace"}, "corrects contacts of spheres; remove it"},
       {"fix",
-       {"sph/density/continuity", "sph/density/corr", "sph/density/summation", "sph/pressure"},
+       {"sph/density/continuity", "sph/density/corr", "sph/density/summation", "sph/pressure",
+        "sph/density/drift/corr", "sph/integrity", "sph/mixidx", "sph/velgrad"},
        "is for SPH particles; remove it"},
       {"fix", {"deform/check"}, "looks at histories of spheres; use 'fix ID GROUP deform'"},
       // --- walls
       {"fix",
-       {"wall/gran", "wall/region", "wall/region/sph", "wall/sph"},
+       {"wall/gran", "wall/region", "wall/region/sph", "wall/sph", "wall/sph/general",
+        "wall/sph/general/gap"},
        "knows bounding spheres or centres only; use 'fix ID GROUP wall/gran/ellipsoid' with "
        "'surface smooth' "
        "or 'surface multisphere'"},
@@ -142,8 +144,8 @@ const std::vector<UnsuitedStyles>& unsuited_styles() {
        "is not shown to be right for ellipsoids; use 'dump custom/vtk' or 'dump mesh/vtk'"},
       // --- pair styles
       {"pair_style",
-       {"gran", "bubble", "gran_bubble", "line/lj", "soft", "sph/artVisc/tensCorr", "hybrid",
-        "hybrid/overlay", "none"},
+       {"gran", "bubble", "gran_bubble", "line/lj", "soft", "sph/artVisc/tensCorr",
+        "sph/morris/tensCorr", "hybrid", "hybrid/overlay", "none"},
        "knows no ellipsoids; use 'pair_style gran/ellipsoid' with 'surface smooth' or 'surface "
        "multisphere' "
        "after the other models, and no 'hybrid'"},
