@@ -179,8 +179,9 @@ void ViewPage::add(const Frame& frame, const ParticleSet& set,
   for (const auto& turn : turns)
     packed.add(turn);
 
+  const std::vector<ViewColumn> columns = view_columns(frame, set, m_survey.m_up);
   for (const ColumnRange& range : m_survey.m_columns)
-    for (const ViewColumn& column : view_columns(frame, set, m_survey.m_up))
+    for (const ViewColumn& column : columns)
       if (column.name == range.name()) {
         std::vector<std::uint16_t> codes;
         for (const double value : column.values)
