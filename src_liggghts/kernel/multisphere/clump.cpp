@@ -1,0 +1,94 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "multisphere/clump.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace ellipsoid {
+namespace {
+
+/// Spheres of a file that shall touch do so to its digits: relative to the larger radius.
+constexpr double touching_tolerance = 1e-9;
+
+[[noreturn]] void refuse(const std::string& what) { throw std::invalid_argument("clump: " + what); }
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+double gap_between(const SphereSet& set, std::size_t k, std::size_t l) {
+  return norm(set.centres[l] - set.centres[k]) - (set.radii[k] + set.radii[l]);
+}
+
+bool are_connected(const SphereSet& set, std::size_t k, std::size_t l) {
+  return gap_between(set, k, l) <= touching_tolerance * std::max(set.radii[k], set.radii[l]);
+}
+
+} // namespace
+
+void check_spheres(const SphereSet& set) {
+  if (set.centres.empty() || set.centres.size() > static_cast<std::size_t>(largest_set_count))
+    refuse(std::to_string(set.centres.size()) + " spheres; allowed are 1 to " +
+           std::to_string(largest_set_count) + ": use a coarser set");
+  if (set.radii.size() != set.centres.size())
+    refuse(std::to_string(set.radii.size()) + " radii for " + std::to_string(set.centres.size()) +
+           " centres; give each sphere one radius");
+  for (std::size_t k = 0; k < set.centres.size(); ++k) {
+    const Vector3& c = set.centres[k];
+    const std::string which = "sphere " + std::to_string(k + 1) + " has ";
+    if (!std::isfinite(c.x) || !std::isfinite(c.y) || !std::isfinite(c.z))
+      refuse(which + "the centre " + number(c.x) + " " + number(c.y) + " " + number(c.z) +
+             "; finite values are needed: correct it");
+    if (!std::isfinite(set.radii[k]) || !(set.radii[k] > 0.0))
+      refuse(which + "the radius " + number(set.radii[k]) +
+             "; a finite value > 0 is needed: correct it or leave the sphere out");
+  }
+}
+
+/// From each part's first sphere to all that can be reached.
+std::vector<int> connected_parts(const SphereSet& set) {
+  std::vector<int> parts(set.centres.size(), -1);
+  std::vector<std::size_t> left(set.centres.size()), reached;
+  std::iota(left.begin(), left.end(), std::size_t{0});
+  for (int part = 0; !left.empty(); ++part) {
+    reached = {left.front()};
+    parts[left.front()] = part;
+    left.erase(left.begin());
+    while (!reached.empty()) {
+      const std::size_t from = reached.back();
+      reached.pop_back();
+      const auto apart = std::stable_partition(
+          left.begin(), left.end(), [&](std::size_t l) { return !are_connected(set, from, l); });
+      for (auto l = apart; l != left.end(); ++l)
+        parts[*l] = part;
+      reached.insert(reached.end(), apart, left.end());
+      left.erase(apart, left.end());
+    }
+  }
+  return parts;
+}
+
+void check_connected(const SphereSet& set) {
+  const std::vector<int> parts = connected_parts(set);
+  const int count = 1 + *std::max_element(parts.begin(), parts.end());
+  if (count == 1)
+    return;
+  const auto apart =
+      static_cast<std::size_t>(std::find(parts.begin(), parts.end(), 1) - parts.begin());
+  double gap = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    if (parts[k] == 0)
+      gap = std::min(gap, gap_between(set, k, apart));
+  refuse("the spheres are " + std::to_string(count) + " bodies apart, sphere " +
+         std::to_string(apart + 1) + " is " + number(gap) +
+         " from that of sphere 1; a clump is one body: let its spheres overlap or touch");
+}
+
+} // namespace ellipsoid
