@@ -3,7 +3,6 @@
 #include "frame_loop.h"
 #include "frame_options.h"
 #include "gravity_options.h"
-#include "messages.h"
 
 #include <memory>
 
@@ -145,14 +144,7 @@ void add_bed_command(CLI::App& program, int& exit_code) {
   add_frame_options(*command, options->frames);
   add_up_option(*command, options->up);
   add_region_options(*command, *options);
-  command->callback([options, &exit_code] {
-    try {
-      exit_code = run(*options);
-    } catch (const InputError& error) {
-      report_error(error.what());
-      exit_code = exit_bad_data;
-    }
-  });
+  command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 } // namespace ellipsoid::post

@@ -169,12 +169,7 @@ void add_contacts_command(CLI::App& program, int& exit_code) {
         "--bodies", "--periodic", "--threads", "--contact-gap", "--list"})
     local->excludes(command->get_option(name));
   command->callback([options, &exit_code] {
-    try {
-      exit_code = options->is_local ? run_local(*options) : run_geometry(*options);
-    } catch (const InputError& error) {
-      report_error(error.what());
-      exit_code = exit_bad_data;
-    }
+    exit_code = options->is_local ? run_local(*options) : run_geometry(*options);
   });
 }
 

@@ -5,7 +5,6 @@
 #include "force_list_options.h"
 #include "frame_loop.h"
 #include "frame_options.h"
-#include "messages.h"
 #include "step_names.h"
 #include "time_option.h"
 
@@ -189,14 +188,7 @@ void add_fields_command(CLI::App& program, int& exit_code) {
   add_force_list_options(*command, options->forces);
   command->add_option("--vti", options->vti,
                       "file for ParaView with the fields on the grid; * stands for the time step");
-  command->callback([options, &exit_code] {
-    try {
-      exit_code = run(*options);
-    } catch (const InputError& error) {
-      report_error(error.what());
-      exit_code = exit_bad_data;
-    }
-  });
+  command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 } // namespace ellipsoid::post

@@ -1,6 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "input_error.h"
-#include "messages.h"
 #include "picture_options.h"
 #include "render_pile.h"
 #include "render_space.h"
@@ -172,14 +171,7 @@ void add_film_command(CLI::App& program, int& exit_code) {
       ->expected(2);
   command->add_option("--title", options->plane.picture.title, "words above each picture");
   command->add_flag("--no-fit", options->plane.no_fit, "without the line A-B");
-  command->callback([options, &exit_code] {
-    try {
-      exit_code = make_film(*options);
-    } catch (const InputError& error) {
-      report_error(error.what());
-      exit_code = exit_bad_data;
-    }
-  });
+  command->callback([options, &exit_code] { exit_code = make_film(*options); });
 }
 
 } // namespace ellipsoid::post

@@ -2,7 +2,6 @@
 #include "flow_through.h"
 #include "frame_loop.h"
 #include "frame_options.h"
-#include "messages.h"
 #include "spread.h"
 #include "stl_mesh.h"
 #include "time_option.h"
@@ -178,14 +177,7 @@ void add_flow_command(CLI::App& program, int& exit_code) {
   command->add_option("--density", options->density, "of the material, for files without masses")
       ->check(CLI::PositiveNumber);
   command->add_flag("--total", options->is_total, "one row for the whole run");
-  command->callback([options, &exit_code] {
-    try {
-      exit_code = run(*options);
-    } catch (const InputError& error) {
-      report_error(error.what());
-      exit_code = exit_bad_data;
-    }
-  });
+  command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 } // namespace ellipsoid::post

@@ -1,6 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "body_properties.h"
-#include "messages.h"
 #include "mixing.h"
 #include "rows_command.h"
 #include "time_option.h"

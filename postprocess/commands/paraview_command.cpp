@@ -1,7 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "frame_loop.h"
 #include "frame_options.h"
-#include "input_error.h"
 #include "messages.h"
 #include "template_files.h"
 
@@ -85,14 +84,7 @@ void add_paraview_command(CLI::App& program, int& exit_code) {
   command->add_option("--output,-o", options->output, "beginning of the file names")->required();
   command->add_option("--dt", options->time_step, "time step (s): times instead of step numbers")
       ->check(CLI::PositiveNumber);
-  command->callback([options, &exit_code] {
-    try {
-      exit_code = write_series(*options);
-    } catch (const InputError& error) {
-      report_error(error.what());
-      exit_code = exit_bad_data;
-    }
-  });
+  command->callback([options, &exit_code] { exit_code = write_series(*options); });
 }
 
 } // namespace ellipsoid::post

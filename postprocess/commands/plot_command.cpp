@@ -1,7 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "csv_table.h"
 #include "input_error.h"
-#include "messages.h"
 #include "paper_figures.h"
 #include "picture_options.h"
 #include "table_charts.h"
@@ -103,14 +102,7 @@ void add_plot_command(CLI::App& program, int& exit_code) {
   command->add_option("--height", options->height, "pixels")
       ->check(CLI::Range(200, 20000))
       ->capture_default_str();
-  command->callback([options, &exit_code] {
-    try {
-      plot(*options);
-    } catch (const InputError& error) {
-      report_error(error.what());
-      exit_code = exit_bad_data;
-    }
-  });
+  command->callback([options, &exit_code] { plot(*options); });
 }
 
 } // namespace ellipsoid::post

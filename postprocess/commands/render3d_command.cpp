@@ -140,14 +140,7 @@ void add_render3d_command(CLI::App& program, int& exit_code) {
   command->add_flag("--show-box", options->view.show_box, "draw the edges of the simulation box");
   command->add_flag("!--no-axes", options->view.show_axes, "without the arrows along x, y and z");
   command->add_flag("--bare", options->is_bare, "PNG of the particles alone, no words and scales");
-  command->callback([options, &exit_code] {
-    try {
-      exit_code = render_spaces(*options);
-    } catch (const InputError& error) {
-      report_error(error.what());
-      exit_code = exit_bad_data;
-    }
-  });
+  command->callback([options, &exit_code] { exit_code = render_spaces(*options); });
 }
 
 } // namespace ellipsoid::post

@@ -102,14 +102,7 @@ void add_render_command(CLI::App& program, int& exit_code) {
   command->add_flag("--surface", options->picture.show_surface, "draw the free surface y_max(x)");
   command->add_flag("--discs", options->picture.show_discs, "draw inner outlines of sub-spheres");
   add_force_list_options(*command, options->contacts, "draws the force chains", "drawn");
-  command->callback([options, &exit_code] {
-    try {
-      exit_code = render_piles(*options);
-    } catch (const InputError& error) {
-      report_error(error.what());
-      exit_code = exit_bad_data;
-    }
-  });
+  command->callback([options, &exit_code] { exit_code = render_piles(*options); });
 }
 
 } // namespace ellipsoid::post

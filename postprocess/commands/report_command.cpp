@@ -287,12 +287,7 @@ void add_report_command(CLI::App& program, int& exit_code) {
                       "CSV file and three columns, x, y and the colours': a map, and more of them");
   command->callback([options, &exit_code] {
     options->frames.quiet = true;
-    try {
-      exit_code = report(*options);
-    } catch (const InputError& error) {
-      report_error(error.what());
-      exit_code = exit_bad_data;
-    }
+    exit_code = report(*options);
   });
 }
 

@@ -87,12 +87,7 @@ void add_summary_command(CLI::App& program, int& exit_code) {
   command->callback([options, quantity, group, &exit_code] {
     options->names_quantities = quantity->count() > 0;
     options->names_groups = group->count() > 0;
-    try {
-      exit_code = summarise(*options);
-    } catch (const InputError& error) {
-      report_error(error.what());
-      exit_code = exit_bad_data;
-    }
+    exit_code = summarise(*options);
   });
 }
 

@@ -211,14 +211,7 @@ void add_template_command(CLI::App& program, int& exit_code) {
   add_file_options(*command, *options);
   add_comparison_option(*command, *options);
   add_output_options(*command, options->output);
-  command->callback([options, &exit_code] {
-    try {
-      exit_code = run(*options);
-    } catch (const std::exception& error) {
-      report_error(error.what());
-      exit_code = exit_bad_data;
-    }
-  });
+  command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 } // namespace ellipsoid::post

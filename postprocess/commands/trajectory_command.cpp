@@ -2,7 +2,6 @@
 #include "collisions.h"
 #include "frame_loop.h"
 #include "frame_options.h"
-#include "messages.h"
 #include "particle_values.h"
 #include "time_option.h"
 #include "trajectories.h"
@@ -164,14 +163,7 @@ void add_trajectory_command(CLI::App& program, int& exit_code) {
   add_particle_values_option(*command, options->per_particle);
   command->add_flag("--collisions", options->lists_collisions,
                     "lists the collisions of pairs instead: duration and relative velocity");
-  command->callback([options, &exit_code] {
-    try {
-      exit_code = run(*options);
-    } catch (const InputError& error) {
-      report_error(error.what());
-      exit_code = exit_bad_data;
-    }
-  });
+  command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 } // namespace ellipsoid::post

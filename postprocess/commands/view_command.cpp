@@ -211,14 +211,7 @@ void add_view_command(CLI::App& program, int& exit_code) {
       command->add_flag("--no-contacts", options->no_contacts, "without contacts: smaller, faster");
   add_force_list_options(*command, options->contacts, "force chains and forces to read", "shown");
   no_contacts->excludes("--contacts");
-  command->callback([options, &exit_code] {
-    try {
-      exit_code = write_view(*options);
-    } catch (const InputError& error) {
-      report_error(error.what());
-      exit_code = exit_bad_data;
-    }
-  });
+  command->callback([options, &exit_code] { exit_code = write_view(*options); });
 }
 
 } // namespace ellipsoid::post

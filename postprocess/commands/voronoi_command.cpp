@@ -1,6 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "body_properties.h"
-#include "messages.h"
 #include "particle_values.h"
 #include "rows_command.h"
 #include "set_voronoi.h"

@@ -1,5 +1,5 @@
-"""Includes go down only: the rooms of the kernel, the rooms of the adapters and the floors of ellipsoid-post may
-include themselves and those before them in the numbered list of their README; the kernel includes nothing but
+"""Includes go down only: the rooms of the kernel, the rooms of the adapters, the floors of ellipsoid-post and the rooms
+of its commands may include themselves and those before them in the numbered list of their README; the kernel includes nothing but
 itself and the standard library; the adapters and ellipsoid-post may include the kernel. Headers have unique names.
 """
 
@@ -51,7 +51,7 @@ def kernel_offences(kernel):
 def floor_offences(folder, kernel, forbidden):
     """Of the adapters or of ellipsoid-post. `forbidden`: names of headers that they do not include."""
     rooms = rooms_of(folder)
-    home = {f.name: rooms.index(room) for room in rooms for f in (folder / room).glob("*.h")}
+    home = {f.name: rooms.index(room) for room in rooms for f in (folder / room).rglob("*.h")}
     for room in rooms:
         for file in code(folder / room):
             for kind, name in includes(file):
@@ -81,6 +81,10 @@ class IncludeOrder(unittest.TestCase):
     def test_ellipsoid_post(self):
         adapters = {f.name for f in code(self.adapters) if self.kernel not in f.parents}
         self.assertEqual(list(floor_offences(self.post, self.kernel, adapters)), [])
+
+    def test_commands(self):
+        commands = self.post / "commands"
+        self.assertEqual(list(floor_offences(commands, self.kernel, {f.name for f in commands.glob("*.h")})), [])
 
     def test_headers_have_unique_names(self):
         names = [f.name for part in ("src_liggghts", "postprocess", "tests") for f in code(SOURCE / part)

@@ -16,7 +16,7 @@ enum ExitCode : int {
 };
 
 /// Adds a subcommand to the program; what it does is run by CLI11's callback, its exit code goes
-/// to `exit_code`.
+/// to `exit_code`. What the callback throws is reported by main(), with exit_bad_data.
 using AddCommand = void (*)(CLI::App& program, int& exit_code);
 
 struct CommandRow {

@@ -2,7 +2,6 @@
 #include "table_command.h"
 
 #include "frame_options.h"
-#include "messages.h"
 #include "run_summary.h"
 
 #include <algorithm>
@@ -19,18 +18,13 @@ const std::vector<std::string> summarised = {"repose_angle_deg", "porosity", "zp
 int run_table_command(const FrameOptions& options, const std::string& title,
                       const std::function<Row(const ChosenFrame&)>& make_row) {
   Table table{title, {}};
-  int code = for_measured_frames(options, [&](const ChosenFrame& chosen) {
+  const int code = for_measured_frames(options, [&](const ChosenFrame& chosen) {
     return [&table, row = make_row(chosen)] { table.rows.push_back(row); };
   });
-  try {
-    write_table(options, table);
-    if (prints_text(options) && table.rows.size() > 1 && options.frames != "all")
-      write_text("-",
-                 "\n" + as_text(summary_for_people(table, {"surface", "subspheres"}, summarised)));
-  } catch (const InputError& error) {
-    report_error(error.what());
-    code = exit_bad_data;
-  }
+  write_table(options, table);
+  if (prints_text(options) && table.rows.size() > 1 && options.frames != "all")
+    write_text("-",
+               "\n" + as_text(summary_for_people(table, {"surface", "subspheres"}, summarised)));
   return code;
 }
 
