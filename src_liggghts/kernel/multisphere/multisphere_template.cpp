@@ -30,6 +30,13 @@ void check_semiaxes(double a, double b) {
            number(largest_aspect_ratio) + ": change a or b, or use a sphere");
 }
 
+void check_is_chain(SphereSpacing spacing) {
+  if (spacing == SphereSpacing::medial || spacing == SphereSpacing::minimax_volume)
+    refuse("spacing " + word_of(spacing) +
+           " is a set of spheres in a plane, no chain; a chain needs another spacing: use paper, "
+           "minimax_outline, minimax_area or paper_touching");
+}
+
 void check_count(int count) {
   if (count >= 1 && count <= largest_sphere_count && count % 2 == 1)
     return;
@@ -62,6 +69,8 @@ HalfChain half_chain(double a, double b, int n, SphereSpacing spacing) {
     return minimax_area_half_chain(a, b, n);
   case SphereSpacing::paper_touching:
     return touching_half_chain(a, b);
+  case SphereSpacing::medial:
+  case SphereSpacing::minimax_volume:
   case SphereSpacing::paper:
     break;
   }
@@ -90,8 +99,14 @@ SphereSpacing sphere_spacing_from_word(const std::string& word) {
     return SphereSpacing::minimax_area;
   if (word == "paper_touching")
     return SphereSpacing::paper_touching;
-  refuse("spacing '" + word +
-         "' is unknown; use paper, minimax, minimax_outline, minimax_area or paper_touching");
+  if (word == "medial")
+    return SphereSpacing::medial;
+  if (word == "minimax_volume")
+    return SphereSpacing::minimax_volume;
+  refuse(
+      "spacing '" + word +
+      "' is unknown; use paper, minimax, minimax_outline, minimax_area, paper_touching, medial or "
+      "minimax_volume");
 }
 
 std::string word_of(SphereSpacing spacing) {
@@ -102,6 +117,10 @@ std::string word_of(SphereSpacing spacing) {
     return "minimax_area";
   case SphereSpacing::paper_touching:
     return "paper_touching";
+  case SphereSpacing::medial:
+    return "medial";
+  case SphereSpacing::minimax_volume:
+    return "minimax_volume";
   case SphereSpacing::paper:
     break;
   }
@@ -110,6 +129,7 @@ std::string word_of(SphereSpacing spacing) {
 
 int smallest_overlapping_count(double aspect_ratio, SphereSpacing spacing) {
   check_semiaxes(aspect_ratio, 1.0);
+  check_is_chain(spacing);
   if (spacing == SphereSpacing::paper_touching)
     return 0;
   const auto overlaps = [&](int n) {
@@ -134,6 +154,7 @@ int smallest_overlapping_count(double aspect_ratio, SphereSpacing spacing) {
 MultisphereTemplate make_multisphere(double a, double b, int count, SphereSpacing spacing) {
   check_semiaxes(a, b);
   check_count(count);
+  check_is_chain(spacing);
   if (!is_known(count, spacing))
     refuse("spacing paper_touching with N = " + std::to_string(count) +
            "; it is for N = 1 and 3 only: use spacing paper");
@@ -189,6 +210,7 @@ double relative_error(const MultisphereMeasures& measures, const MultisphereTemp
 int sphere_count_for(double aspect_ratio, ShapeMeasure what, double tolerance,
                      SphereSpacing spacing) {
   check_semiaxes(aspect_ratio, 1.0);
+  check_is_chain(spacing);
   if (!std::isfinite(tolerance) || !(tolerance > 0.0))
     refuse("tolerance " + number(tolerance) + "; a positive number is needed, such as 0.01");
   for (int n = 0; 2 * n + 1 <= largest_sphere_count && is_known(2 * n + 1, spacing); ++n) {

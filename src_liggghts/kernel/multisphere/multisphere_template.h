@@ -21,11 +21,13 @@ enum class SphereSpacing {
   paper = 0,           ///< eqs. (3) to (8): inscribed, distances as the ellipse's ordinates
   minimax_outline = 1, ///< the largest distance between outline and ellipse is smallest
   minimax_area = 2,    ///< the area between outline and ellipse is smallest
-  paper_touching = 3   ///< N = 3 of section 4.2.1: side spheres touch the centre sphere
+  paper_touching = 3,  ///< N = 3 of section 4.2.1: side spheres touch the centre sphere
+  medial = 4,          ///< inscribed, on the medial ellipse, any a, b, c: ellipsoid_spheres.h
+  minimax_volume = 5   ///< the same plane, the volume between is smallest: ellipsoid_spheres.h
 };
 
 /// Reads "paper", "minimax" (the same as "minimax_outline"), "minimax_outline", "minimax_area",
-/// "paper_touching".
+/// "paper_touching", "medial", "minimax_volume".
 /// @throws std::invalid_argument any other word
 SphereSpacing sphere_spacing_from_word(const std::string& word);
 
@@ -57,6 +59,7 @@ struct MultisphereTemplate {
 /// where they are as large as the centre sphere. All other chains overlap, or are refused.
 /// @param[in] a, b semi-axes (length), a > b > 0, a/b within the limits above
 /// @param[in] count N, odd
+/// @param[in] spacing not `medial` nor `minimax_volume`, which are no chains
 /// @throws std::invalid_argument one line: what, value, allowed range, remedy (names the smallest
 ///         N that works for this aspect ratio when neighbouring spheres do not overlap)
 MultisphereTemplate make_multisphere(double a, double b, int count,

@@ -1,0 +1,136 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "multisphere/ellipsoid_spheres.h"
+
+#include "multisphere/medial_spheres.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+
+namespace ellipsoid {
+namespace {
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw std::invalid_argument("multisphere template: " + what);
+}
+
+std::string text_of(const Vector3& semiaxes) {
+  char text[96];
+  std::snprintf(text, sizeof text, "%.6g %.6g %.6g", semiaxes.x, semiaxes.y, semiaxes.z);
+  return text;
+}
+
+void check_semiaxes(const Vector3& semiaxes) {
+  for (const double axis : {semiaxes.x, semiaxes.y, semiaxes.z})
+    if (!std::isfinite(axis) || !(axis > 0.0))
+      refuse("semi-axes " + text_of(semiaxes) + "; three finite values > 0 are needed");
+  const double ratio = std::max({semiaxes.x, semiaxes.y, semiaxes.z}) /
+                       std::min({semiaxes.x, semiaxes.y, semiaxes.z});
+  if (!(ratio >= smallest_aspect_ratio && ratio <= largest_aspect_ratio))
+    refuse("semi-axes " + text_of(semiaxes) +
+           "; the largest may be 1.000001 to 100 times the smallest: change them, or use a sphere");
+}
+
+int largest_count(SphereSpacing spacing) {
+  return spacing == SphereSpacing::medial ? largest_set_count : largest_sphere_count;
+}
+
+void check_count(int count, SphereSpacing spacing) {
+  const int largest = largest_count(spacing);
+  if (count >= 1 && count <= largest && count % 2 == 1)
+    return;
+  refuse("number of sub-spheres N = " + std::to_string(count) + "; with spacing " +
+         word_of(spacing) + " an odd number from 1 to " + std::to_string(largest) +
+         " is needed: choose one in this range");
+}
+
+/// Places of the semi-axes in descending order: which of x, y, z is a, b, c.
+std::array<int, 3> descending(const Vector3& semiaxes) {
+  const double axes[3] = {semiaxes.x, semiaxes.y, semiaxes.z};
+  std::array<int, 3> order{0, 1, 2};
+  std::stable_sort(order.begin(), order.end(), [&](int k, int l) { return axes[k] > axes[l]; });
+  return order;
+}
+
+/// All images in the body's frame.
+void append(SphereSet& set, const MirroredSphere& sphere, const std::array<int, 3>& order,
+            double scale) {
+  for (int image = 0; image < 4; ++image) {
+    const bool at_left = image % 2 == 1, at_back = image / 2 == 1;
+    if ((at_left && !(sphere.x > 0.0)) || (at_back && !(sphere.y > 0.0)))
+      continue;
+    double place[3] = {0.0, 0.0, 0.0};
+    place[order[0]] = scale * (at_left ? -sphere.x : sphere.x);
+    place[order[1]] = scale * (at_back ? -sphere.y : sphere.y);
+    set.centres.push_back({place[0], place[1], place[2]});
+    set.radii.push_back(scale * sphere.radius);
+  }
+}
+
+SphereSet planar_set(const Vector3& semiaxes, int count, SphereSpacing spacing) {
+  const std::array<int, 3> order = descending(semiaxes);
+  const double axes[3] = {semiaxes.x, semiaxes.y, semiaxes.z};
+  const double scale = axes[order[0]]; // solved for a = 1: no unit of length
+  const SortedSemiaxes sorted{1.0, axes[order[1]] / scale, axes[order[2]] / scale};
+  SphereSet set;
+  for (const MirroredSphere& sphere : spacing == SphereSpacing::medial
+                                          ? medial_spheres(sorted, count)
+                                          : minimax_volume_spheres(sorted, count))
+    append(set, sphere, order, scale);
+  return set;
+}
+
+bool is_one_body(const SphereSet& set) {
+  const std::vector<int> parts = connected_parts(set);
+  return *std::max_element(parts.begin(), parts.end()) == 0;
+}
+
+/// A larger N, within a fifth of the smallest, whose spheres are one body; 0 if there is none.
+int connected_count(const Vector3& semiaxes, int count, SphereSpacing spacing) {
+  for (int n = count + 2; n <= largest_count(spacing); n += std::max(2, n / 10 * 2))
+    if (is_one_body(planar_set(semiaxes, n, spacing)))
+      return n;
+  return 0;
+}
+
+SphereSet checked_planar_set(const Vector3& semiaxes, int count, SphereSpacing spacing) {
+  check_semiaxes(semiaxes);
+  check_count(count, spacing);
+  SphereSet set = planar_set(semiaxes, count, spacing);
+  if (is_one_body(set))
+    return set;
+  const int enough = connected_count(semiaxes, count, spacing);
+  refuse("with N = " + std::to_string(count) + " sub-spheres of spacing " + word_of(spacing) +
+         " at semi-axes " + text_of(semiaxes) + " the spheres are not one body; " +
+         (enough > 0 ? "N = " + std::to_string(enough) + " is enough"
+                     : "no N up to " + std::to_string(largest_count(spacing)) +
+                           " that was tried is enough: use a rounder body"));
+}
+
+} // namespace
+
+bool is_planar(SphereSpacing spacing) {
+  return spacing == SphereSpacing::medial || spacing == SphereSpacing::minimax_volume;
+}
+
+SphereSet spheres_of(const MultisphereTemplate& chain) {
+  SphereSet set;
+  for (const double x : chain.centres)
+    set.centres.push_back({x, 0.0, 0.0});
+  set.radii = chain.radii;
+  return set;
+}
+
+SphereSet make_ellipsoid_spheres(const Vector3& semiaxes, int count, SphereSpacing spacing) {
+  if (is_planar(spacing))
+    return checked_planar_set(semiaxes, count, spacing);
+  if (semiaxes.y != semiaxes.z)
+    refuse("spacing " + word_of(spacing) + " with semi-axes " + text_of(semiaxes) +
+           "; it needs b = c: use spacing medial or minimax_volume");
+  return spheres_of(make_multisphere(semiaxes.x, semiaxes.y, count, spacing));
+}
+
+} // namespace ellipsoid

@@ -1,0 +1,36 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// An ellipsoid of any three semi-axes approximated by N spheres: the set for each spacing.
+//
+// The centres of the largest inscribed spheres of an ellipsoid a >= b >= c, semi-axes along x, y,
+// z, fill the ellipse z = 0, x^2/p^2 + y^2/q^2 <= 1, p = (a^2 - c^2)/a, q = (b^2 - c^2)/b, its
+// medial surface; their radii are R^2 = c^2 (1 - x^2/(a^2 - c^2) - y^2/(b^2 - c^2)). For b = c that
+// is the axis, and Markauskas et al. 2010, eq. (4).
+#pragma once
+
+#include "multisphere/clump.h"
+#include "multisphere/multisphere_template.h"
+
+namespace ellipsoid {
+
+/// Whether a spacing places its spheres on the medial ellipse; the others are chains on the axis.
+bool is_planar(SphereSpacing spacing);
+
+/// The set of N spheres, centred on the origin, semi-axes along the body's x, y, z in any order of
+/// size; it has the ellipsoid's three planes of symmetry, so that centre and principal axes are
+/// the ellipsoid's. The same numbers for the same arguments; scales with the unit of length.
+///
+/// `medial`: inscribed spheres, the centre first, then always where the gap to the ellipsoid is
+/// largest, in pairs on the ellipse's axes and in fours elsewhere; each level holds the last one.
+/// If four are next and two are left to place, the best pair on an axis is taken. `minimax_volume`:
+/// from there centres in the same plane and radii, for which the volume in exactly one of body and
+/// ellipsoid is smallest (a local minimum). All other spacings are make_multisphere()'s: a > b = c,
+/// a along the body's x.
+/// @param[in] count N, odd, up to largest_set_count (largest_sphere_count for others than `medial`)
+/// @throws std::invalid_argument one line: what, value, allowed range, remedy
+SphereSet make_ellipsoid_spheres(const Vector3& semiaxes, int count, SphereSpacing spacing);
+
+/// The spheres of a chain in space, from -x to +x.
+SphereSet spheres_of(const MultisphereTemplate& chain);
+
+} // namespace ellipsoid
