@@ -89,6 +89,46 @@ double gap_to_spheres(const ParticleSet& set, const Particle& smooth, const Part
   return smallest;
 }
 
+/// The axis that orientation is told by, of each particle; nothing of spheres.
+std::vector<std::optional<Vector3>> body_axes(const ParticleSet& set) {
+  std::vector<std::optional<Vector3>> axes;
+  for (const Particle& p : set.particles) {
+    const BodyAxis axis = body_axis(p);
+    const auto by_length = axes_by_length(p);
+    axes.push_back(axis == BodyAxis::none      ? std::optional<Vector3>()
+                   : axis == BodyAxis::longest ? by_length[0]
+                                               : by_length[2]);
+  }
+  return axes;
+}
+
+/// Pairs at one distance, those of them that both have an axis, and the sum of their P2.
+struct PairsAtDistance {
+  double pairs = 0.0, directed = 0.0, order = 0.0;
+};
+
+std::vector<PairsAtDistance> pairs_by_distance(const ParticleSet& set,
+                                               const std::vector<Vector3>& centres,
+                                               const PeriodicCell& cell, double farthest,
+                                               std::size_t count) {
+  const double width = farthest / static_cast<double>(count);
+  const auto axes = body_axes(set);
+  std::vector<PairsAtDistance> bins(count);
+  BallsWithImages balls(centres, std::vector<double>(centres.size(), 0.5 * farthest), cell);
+  balls.for_pairs([&](std::size_t i, std::size_t j, const Vector3& shift) {
+    const auto k = static_cast<std::size_t>(norm(centres[j] + shift - centres[i]) / width);
+    if (k >= count)
+      return;
+    bins[k].pairs += 1.0;
+    if (!axes[i] || !axes[j])
+      return;
+    const double cosine = dot(*axes[i], *axes[j]);
+    bins[k].directed += 1.0;
+    bins[k].order += 1.5 * cosine * cosine - 0.5;
+  });
+  return bins;
+}
+
 } // namespace
 
 std::vector<DistanceBin> pair_distribution(const ParticleSet& set, const PeriodicCell& cell,
@@ -101,32 +141,12 @@ std::vector<DistanceBin> pair_distribution(const ParticleSet& set, const Periodi
     throw InputError(
         fmt::format("distances up to {} m are too long for this box: choose at most {}", farthest,
                     region.farthest()));
+  const auto counted =
+      pairs_by_distance(set, centres, cell, farthest, static_cast<std::size_t>(bins));
   const double width = farthest / bins;
-  const auto count = static_cast<std::size_t>(bins);
-  std::vector<double> pairs(count, 0.0), directed(count, 0.0), order(count, 0.0);
-  std::vector<std::optional<Vector3>> axes;
-  for (const Particle& p : set.particles) {
-    const BodyAxis axis = body_axis(p);
-    const auto by_length = axes_by_length(p);
-    axes.push_back(axis == BodyAxis::none      ? std::optional<Vector3>()
-                   : axis == BodyAxis::longest ? by_length[0]
-                                               : by_length[2]);
-  }
-  BallsWithImages balls(centres, std::vector<double>(centres.size(), 0.5 * farthest), cell);
-  balls.for_pairs([&](std::size_t i, std::size_t j, const Vector3& shift) {
-    const auto bin = static_cast<std::size_t>(norm(centres[j] + shift - centres[i]) / width);
-    if (bin >= count)
-      return;
-    pairs[bin] += 1.0;
-    if (!axes[i] || !axes[j])
-      return;
-    const double cosine = dot(*axes[i], *axes[j]);
-    directed[bin] += 1.0;
-    order[bin] += 1.5 * cosine * cosine - 0.5;
-  });
   const double n = static_cast<double>(centres.size());
   std::vector<DistanceBin> result;
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < counted.size(); ++k) {
     DistanceBin bin;
     bin.begin = width * static_cast<double>(k);
     bin.end = bin.begin + width;
@@ -134,9 +154,9 @@ std::vector<DistanceBin> pair_distribution(const ParticleSet& set, const Periodi
     const double shell = 4.0 / 3.0 * pi * (std::pow(bin.end, 3) - std::pow(bin.begin, 3));
     const double expected =
         0.5 * n * (n - 1.0) * shell * region.at(middle) / (region.volume() * region.volume());
-    bin.g = pairs[k] / expected;
-    if (directed[k] > 0.0)
-      bin.g2 = order[k] / directed[k];
+    bin.g = counted[k].pairs / expected;
+    if (counted[k].directed > 0.0)
+      bin.g2 = counted[k].order / counted[k].directed;
     result.push_back(bin);
   }
   return result;

@@ -149,9 +149,8 @@ std::size_t ViewPage::bytes_per_particle() const {
   return 4 + (m_is_fine ? 12 : 6) + 6 + 2 * m_survey.m_columns.size();
 }
 
-void ViewPage::add(const Frame& frame, const ParticleSet& set,
-                   const std::vector<ViewContact>& contacts) {
-  PackedColumns packed;
+/// Number of the body, places and turns of each particle, column by column.
+void ViewPage::pack_bodies(PackedColumns& packed, const Frame& frame, const ParticleSet& set) {
   std::vector<std::uint32_t> bodies;
   std::array<std::vector<std::uint32_t>, 3> places;
   std::array<std::vector<std::uint16_t>, 3> turns;
@@ -178,7 +177,11 @@ void ViewPage::add(const Frame& frame, const ParticleSet& set,
       packed.add(std::vector<std::uint16_t>(place.begin(), place.end()));
   for (const auto& turn : turns)
     packed.add(turn);
+}
 
+/// What all frames know of each particle, as codes within the column's range.
+void ViewPage::pack_columns(PackedColumns& packed, const Frame& frame,
+                            const ParticleSet& set) const {
   const std::vector<ViewColumn> columns = view_columns(frame, set, m_survey.m_up);
   for (const ColumnRange& range : m_survey.m_columns)
     for (const ViewColumn& column : columns)
@@ -188,7 +191,9 @@ void ViewPage::add(const Frame& frame, const ParticleSet& set,
           codes.push_back(range.code_of(value));
         packed.add(codes);
       }
+}
 
+void ViewPage::pack_contacts(PackedColumns& packed, const std::vector<ViewContact>& contacts) {
   std::vector<std::uint32_t> first, second;
   std::vector<float> force, overlap;
   for (const ViewContact& contact : contacts) {
@@ -202,7 +207,14 @@ void ViewPage::add(const Frame& frame, const ParticleSet& set,
   packed.add(second);
   packed.add(force);
   packed.add(overlap);
+}
 
+void ViewPage::add(const Frame& frame, const ParticleSet& set,
+                   const std::vector<ViewContact>& contacts) {
+  PackedColumns packed;
+  pack_bodies(packed, frame, set);
+  pack_columns(packed, frame, set);
+  pack_contacts(packed, contacts);
   const json about = {{"count", set.particles.size()},
                       {"contacts", contacts.size()},
                       {"step", frame.timestep},
@@ -232,8 +244,8 @@ std::string ViewPage::columns_json() const {
   return columns.dump();
 }
 
-std::string ViewPage::html() const {
-  PackedColumns bodies;
+/// Ids, semi-axes and templates of all bodies, in the order of their numbers.
+PackedColumns ViewPage::packed_survey() const {
   std::vector<ViewSurvey::Body> ordered(m_survey.m_bodies.size());
   for (const auto& [body, number] : m_survey.m_bodies)
     ordered[number] = body;
@@ -247,13 +259,16 @@ std::string ViewPage::html() const {
       axes[k].push_back(static_cast<float>(body[k + 1]));
     number.push_back(static_cast<std::uint32_t>(body[4]));
   }
+  PackedColumns bodies;
   bodies.add(low);
   bodies.add(high);
   for (const auto& axis : axes)
     bodies.add(axis);
   bodies.add(number);
-  std::string data = data_element("bodies", bodies);
+  return bodies;
+}
 
+std::string ViewPage::header_json() const {
   json templates = json::array(), walls = json::array(), meshes = json::array();
   std::size_t first = 0;
   for (const auto& spheres : m_survey.m_spheres) {
@@ -262,38 +277,43 @@ std::string ViewPage::html() const {
   }
   for (const ViewWall& wall : m_settings.walls)
     walls.push_back({{"point", numbers(wall.point)}, {"normal", numbers(wall.normal)}});
-  for (const ViewMesh& mesh : m_settings.meshes) {
-    PackedColumns corners;
-    corners.add(mesh.corners);
-    data += data_element(fmt::format("mesh-{}", meshes.size()), corners);
+  for (const ViewMesh& mesh : m_settings.meshes)
     meshes.push_back({{"name", mesh.name}});
-  }
   const auto& bounds = m_survey.m_bounds;
-  json header = {{"title", m_settings.title},
-                 {"up", m_settings.up == 1 || m_survey.m_is_planar ? "y" : "z"},
-                 {"planar", m_survey.m_is_planar},
-                 {"colour_by", m_settings.colour_by},
-                 {"length_unit", "length"},
-                 {"bodies", ordered.size()},
-                 {"bounds", {{"lower", bounds.lower}, {"upper", bounds.upper}}},
-                 {"position",
-                  {{"bytes", m_is_fine ? 4 : 2},
-                   {"origin", bounds.lower},
-                   {"step", {m_step, m_step, m_step}}}},
-                 {"columns", json::parse(columns_json())},
-                 {"frames", json::parse("[" + m_frames_json + "]")},
-                 {"templates", templates},
-                 {"walls", walls},
-                 {"meshes", meshes},
-                 {"has_contacts", m_settings.has_contacts},
-                 {"has_forces", m_settings.has_forces},
-                 {"largest_force", m_largest_force},
-                 {"maps",
-                  {{"even", m_settings.even_colours},
-                   {"cyclic", m_settings.cyclic_colours},
-                   {"kinds", m_settings.kind_colours}}}};
+  const json position = {
+      {"bytes", m_is_fine ? 4 : 2}, {"origin", bounds.lower}, {"step", {m_step, m_step, m_step}}};
+  const json maps = {{"even", m_settings.even_colours},
+                     {"cyclic", m_settings.cyclic_colours},
+                     {"kinds", m_settings.kind_colours}};
+  const json header = {{"title", m_settings.title},
+                       {"up", m_settings.up == 1 || m_survey.m_is_planar ? "y" : "z"},
+                       {"planar", m_survey.m_is_planar},
+                       {"colour_by", m_settings.colour_by},
+                       {"length_unit", "length"},
+                       {"bodies", m_survey.m_bodies.size()},
+                       {"bounds", {{"lower", bounds.lower}, {"upper", bounds.upper}}},
+                       {"position", position},
+                       {"columns", json::parse(columns_json())},
+                       {"frames", json::parse("[" + m_frames_json + "]")},
+                       {"templates", templates},
+                       {"walls", walls},
+                       {"meshes", meshes},
+                       {"has_contacts", m_settings.has_contacts},
+                       {"has_forces", m_settings.has_forces},
+                       {"largest_force", m_largest_force},
+                       {"maps", maps}};
+  return header.dump();
+}
+
+std::string ViewPage::html() const {
+  std::string data = data_element("bodies", packed_survey());
+  for (std::size_t k = 0; k < m_settings.meshes.size(); ++k) {
+    PackedColumns corners;
+    corners.add(m_settings.meshes[k].corners);
+    data += data_element(fmt::format("mesh-{}", k), corners);
+  }
   return view_html({{"TITLE", html_safe(m_settings.title)},
-                    {"HEADER", script_safe(header.dump())},
+                    {"HEADER", script_safe(header_json())},
                     {"DATA", data + m_data}});
 }
 

@@ -17,6 +17,8 @@
 
 namespace ellipsoid::post {
 
+class PackedColumns;
+
 struct ViewWall {
   Vector3 point, normal; ///< normal: unit
 };
@@ -86,7 +88,12 @@ class ViewPage {
   double position_error() const { return 0.5 * m_step; }
 
  private:
+  void pack_bodies(PackedColumns& packed, const Frame& frame, const ParticleSet& set);
+  void pack_columns(PackedColumns& packed, const Frame& frame, const ParticleSet& set) const;
+  void pack_contacts(PackedColumns& packed, const std::vector<ViewContact>& contacts);
+  PackedColumns packed_survey() const;
   std::string columns_json() const;
+  std::string header_json() const;
 
   ViewSurvey m_survey;
   ViewSettings m_settings;
