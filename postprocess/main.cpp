@@ -1,5 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "command.h"
+#include "command_line.h"
 #include "messages.h"
 #include "version_text.h"
 
@@ -46,6 +47,7 @@ std::string unknown_command(const CLI::App& program, int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace ellipsoid::post;
   std::vector<std::string> words(argv, argv + argc);
+  remember_command_line(words);
   std::vector<char*> arguments;
   for (std::string& word : words) {
     complete_number(word);

@@ -33,6 +33,25 @@ SpaceView view_of(const RenderSpaceOptions& options, UpAxis up) {
   return view;
 }
 
+/// The walls and meshes of a run, turned upright as turned_upright() turns particles.
+void add_surfaces(SpaceView& view, const RenderSpaceOptions& options, const ChosenFrame& chosen,
+                  UpAxis up) {
+  if (!options.show_walls && options.surfaces.meshes.empty() && options.surfaces.log.empty())
+    return;
+  const RunSurfaces surfaces = run_surfaces(options.surfaces, chosen.frame.place.file,
+                                            !options.show_walls && options.surfaces.log.empty());
+  const bool is_turned = up == UpAxis::y;
+  for (const PrimitivePlane& plane : surfaces.planes)
+    view.planes.push_back({is_turned ? (plane.axis + 1) % 3 : plane.axis, plane.place});
+  for (const ShownMesh& mesh : surfaces.meshes)
+    for (auto triangle : mesh.triangles) {
+      for (Vector3& corner : triangle)
+        if (is_turned)
+          corner = {corner.z, corner.x, corner.y};
+      view.triangles.push_back(triangle);
+    }
+}
+
 /// What all frames of a film take, as far as the user does not say it.
 FilmRange shared_range(const RenderSpaceOptions& options) {
   const bool needs_view = options.part.empty();
@@ -64,6 +83,7 @@ void render_space(const RenderSpaceOptions& options, PictureNames& names, const 
     view.part = range.space;
   if (up == UpAxis::y)
     view.axis_names = {"z", "x", "y"};
+  add_surfaces(view, options, chosen, up);
   const std::string name = names.next(chosen);
   const PictureFormat format = picture_format(name);
   if (options.is_bare && format != PictureFormat::png)
@@ -138,6 +158,9 @@ void add_render3d_command(CLI::App& program, int& exit_code) {
       ->expected(6);
   command->add_option("--title", options->title, "words above the picture");
   command->add_flag("--show-box", options->view.show_box, "draw the edges of the simulation box");
+  command->add_flag("--show-walls", options->show_walls,
+                    "draw the plane walls and meshes of the run's log");
+  add_run_surface_options(*command, options->surfaces);
   command->add_flag("!--no-axes", options->view.show_axes, "without the arrows along x, y and z");
   command->add_flag("--bare", options->is_bare, "PNG of the particles alone, no words and scales");
   command->callback([options, &exit_code] { exit_code = render_spaces(*options); });

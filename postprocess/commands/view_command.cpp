@@ -6,9 +6,7 @@
 #include "gravity_options.h"
 #include "messages.h"
 #include "option_checks.h"
-#include "run_log.h"
-#include "run_walls.h"
-#include "stl_mesh.h"
+#include "run_surfaces.h"
 #include "table.h"
 #include "view_page.h"
 
@@ -23,8 +21,8 @@ namespace {
 struct ViewOptions {
   FrameOptions frames;
   ContactListOptions contacts;
-  std::string output, title, up, colour_by = "speed", log;
-  std::vector<std::string> meshes;
+  RunSurfaceOptions surfaces;
+  std::string output, title, up, colour_by = "speed";
   bool no_contacts = false, no_walls = false;
 };
 
@@ -43,60 +41,22 @@ void fill_colours(ViewSettings& settings) {
                            {86, 180, 233}, {213, 94, 0},  {240, 228, 66}, {140, 140, 140}};
 }
 
-ViewMesh mesh_of(const std::string& file, double scale, const std::array<double, 3>& shift) {
-  ViewMesh mesh{std::filesystem::path(file).filename().string(), {}};
-  for (const auto& triangle : read_stl(file))
-    for (const Vector3& corner : triangle) {
-      mesh.corners.push_back(static_cast<float>(scale * corner.x + shift[0]));
-      mesh.corners.push_back(static_cast<float>(scale * corner.y + shift[1]));
-      mesh.corners.push_back(static_cast<float>(scale * corner.z + shift[2]));
-    }
-  return mesh;
-}
-
-/// A mesh file as its command names it, seen from here or from the folder of the log; empty where
-/// it is at neither place.
-std::string present_file(const std::string& name, const std::string& log) {
-  for (const auto& folder : {std::filesystem::path(), std::filesystem::path(log).parent_path()})
-    if (std::filesystem::is_regular_file(folder / name))
-      return (folder / name).string();
-  return "";
-}
-
-void add_meshes_of_run(const RunWalls& walls, const std::string& log, ViewSettings& settings) {
-  const auto leave_out = [](const RunMesh& mesh, const std::string& reason) {
-    report_warning(fmt::format("mesh {} ({}) is not shown: {}; give it as it is in space by --mesh",
-                               mesh.id, mesh.file, reason));
-  };
-  for (const RunMesh& mesh : walls.meshes) {
-    const std::string file = present_file(mesh.file, log);
-    if (mesh.is_turned)
-      leave_out(mesh, "its command turns it");
-    else if (mesh.moves)
-      leave_out(mesh, "it moves");
-    else if (file.empty() || std::filesystem::path(file).extension() != ".stl")
-      leave_out(mesh, "there is no STL file of this name");
-    else
-      settings.meshes.push_back(mesh_of(file, mesh.scale, mesh.shift));
-  }
-}
-
 /// Walls of the run's log, and the meshes that the user names.
 void add_walls(const ViewOptions& options, const std::string& first_file, ViewSettings& settings) {
-  for (const std::string& mesh : options.meshes)
-    settings.meshes.push_back(mesh_of(mesh, 1.0, {}));
-  const std::string log = options.log.empty() ? log_beside(first_file) : options.log;
-  if (options.no_walls || log.empty())
-    return;
-  const RunWalls walls = read_run_walls(log);
-  for (const PrimitivePlane& plane : walls.planes) {
+  const RunSurfaces surfaces = run_surfaces(options.surfaces, first_file, options.no_walls);
+  for (const PrimitivePlane& plane : surfaces.planes) {
     ViewWall wall;
     (plane.axis == 0 ? wall.point.x : plane.axis == 1 ? wall.point.y : wall.point.z) = plane.place;
     (plane.axis == 0 ? wall.normal.x : plane.axis == 1 ? wall.normal.y : wall.normal.z) = 1.0;
     settings.walls.push_back(wall);
   }
-  if (options.meshes.empty())
-    add_meshes_of_run(walls, log, settings);
+  for (const ShownMesh& mesh : surfaces.meshes) {
+    settings.meshes.push_back({mesh.name, {}});
+    for (const auto& triangle : mesh.triangles)
+      for (const Vector3& corner : triangle)
+        for (const double x : {corner.x, corner.y, corner.z})
+          settings.meshes.back().corners.push_back(static_cast<float>(x));
+  }
 }
 
 std::vector<ViewContact> contacts_of(const ViewOptions& options, ContactLists& lists,
@@ -200,13 +160,9 @@ void add_view_command(CLI::App& program, int& exit_code) {
           "--colour,--color", options->colour_by,
           "column that the page opens with: speed, spin, angle, tilt, type, or one of the file")
       ->capture_default_str();
-  command->add_option("--log", options->log, "the run's log, for its walls and meshes")
-      ->check(CLI::ExistingFile)
-      ->default_str("the log beside the first file, if there is one");
-  command->add_option("--mesh", options->meshes, "STL files to show, in place of the log's meshes")
-      ->check(CLI::ExistingFile);
+  CLI::Option* log = add_run_surface_options(*command, options->surfaces);
   auto* no_walls = command->add_flag("--no-walls", options->no_walls, "without the log's walls");
-  no_walls->excludes("--log");
+  no_walls->excludes(log);
   auto* no_contacts =
       command->add_flag("--no-contacts", options->no_contacts, "without contacts: smaller, faster");
   add_force_list_options(*command, options->contacts, "force chains and forces to read", "shown");

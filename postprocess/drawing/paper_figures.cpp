@@ -274,7 +274,20 @@ Table compared_with_paper(const Table& runs) {
   return table;
 }
 
-std::vector<Chart> figure(int number, const Table& runs, double aspect_ratio) {
+namespace {
+
+/// Takes the paper's values out of a chart.
+void hide_paper(Chart& chart) {
+  const auto is_of_paper = [](const auto& drawn) {
+    return drawn.name.find("(paper)") != std::string::npos || drawn.name.rfind("paper", 0) == 0;
+  };
+  chart.series.erase(std::remove_if(chart.series.begin(), chart.series.end(), is_of_paper),
+                     chart.series.end());
+  chart.bands.erase(std::remove_if(chart.bands.begin(), chart.bands.end(), is_of_paper),
+                    chart.bands.end());
+}
+
+std::vector<Chart> whole_figure(int number, const Table& runs, double aspect_ratio) {
   switch (number) {
   case 5:
     return figure_5();
@@ -294,6 +307,16 @@ std::vector<Chart> figure(int number, const Table& runs, double aspect_ratio) {
   default:
     throw InputError(fmt::format("figure {}: known are 5, 12, 13, 15, 17, 18", number));
   }
+}
+
+} // namespace
+
+std::vector<Chart> figure(int number, const Table& runs, double aspect_ratio, PaperPoints points) {
+  std::vector<Chart> charts = whole_figure(number, runs, aspect_ratio);
+  if (points == PaperPoints::hidden)
+    for (Chart& chart : charts)
+      hide_paper(chart);
+  return charts;
 }
 
 } // namespace ellipsoid::post

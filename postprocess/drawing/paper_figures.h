@@ -18,6 +18,9 @@ extern const std::vector<std::string> figure_columns;
 /// sub-spheres that the paper reports and a run has.
 Table compared_with_paper(const Table& runs);
 
+/// Whether the paper's values stand beside ours: they say something of runs with its parameters.
+enum class PaperPoints { shown, hidden };
+
 /// Ours beside the paper's points.
 ///
 /// Figure 5 is computed from the templates. The others use rows of runs as `pile --csv` writes
@@ -25,6 +28,7 @@ Table compared_with_paper(const Table& runs);
 /// subspheres, relative_cpu_time (17), potential_contacts_per_particle (18).
 /// @param[in] aspect_ratio of the particles, for the shape factors of figure 15
 /// Throws InputError for an unknown figure or rows without what it needs.
-std::vector<Chart> figure(int number, const Table& runs, double aspect_ratio);
+std::vector<Chart> figure(int number, const Table& runs, double aspect_ratio,
+                          PaperPoints points = PaperPoints::shown);
 
 } // namespace ellipsoid::post

@@ -171,10 +171,10 @@ void draw_force_scale(Canvas& canvas, const Projection& to, const Pile& pile,
               fmt::format("{:.3g} N, the largest force", largest_force(links)), text);
 }
 
-Projection projection(const PileView& view, int width) {
+Projection projection(const PileView& view, int width, double letters) {
   Projection to;
   to.view = view;
-  to.unit = width / 1600.0;
+  to.unit = letters * width / 1600.0;
   to.left = side_margin * to.unit;
   to.top = top_margin * to.unit;
   to.scale = (width - 2.0 * to.left) / (view.right - view.left);
@@ -207,22 +207,30 @@ PileView whole_pile(const ParticleSet& set, const Pile& pile, const PileOptions&
   return view;
 }
 
+namespace {
+
+/// An even number: programs that make films want it. Throws InputError where it is too large.
+int height_of(const Projection& to, double plane_height) {
+  constexpr double most_pixels = 30000.0;
+  const double height = 2.0 * std::ceil(0.5 * (to.top + plane_height + bottom_margin * to.unit));
+  if (height > most_pixels)
+    throw InputError(fmt::format("the picture would be {} pixels high (at most {}): choose a "
+                                 "smaller --width or a --view",
+                                 height, most_pixels));
+  return static_cast<int>(height);
+}
+
+} // namespace
+
 std::string draw_pile(PictureFormat format, const Frame& frame, const ParticleSet& set,
                       const Pile& pile, const PileOptions& pile_options,
                       const std::vector<ReposeAngle>& flanks, const PilePictureOptions& options) {
   const PileView view = options.view.value_or(whole_pile(set, pile, pile_options));
   if (!(view.right > view.left && view.top > view.bottom))
     throw InputError("the shown part of the plane is empty: --view needs x0 < x1 and y0 < y1");
-  const Projection to = projection(view, options.width);
+  const Projection to = projection(view, options.width, options.letters);
   const double plane_height = (view.top - view.bottom) * to.scale;
-  constexpr double most_pixels = 30000.0;
-  // an even number: programs that make films want it
-  const double height = 2.0 * std::ceil(0.5 * (to.top + plane_height + bottom_margin * to.unit));
-  if (height > most_pixels)
-    throw InputError(fmt::format("the picture would be {} pixels high (at most {}): choose a "
-                                 "smaller --width or a --view",
-                                 height, most_pixels));
-  const auto canvas = make_canvas(format, options.width, static_cast<int>(height));
+  const auto canvas = make_canvas(format, options.width, height_of(to, plane_height));
   ParticleColours colours =
       particle_colours(frame, set, options.colour_by, options.colour_low, options.colour_high);
   if (!options.force_chains.empty() && options.colour_by.empty())

@@ -22,6 +22,7 @@ PileView whole_pile(const ParticleSet& set, const Pile& pile, const PileOptions&
 
 struct PilePictureOptions {
   int width = 1600;                              ///< pixels; the height follows from the view
+  double letters = 1.0;                          ///< factor on the size of words and lines
   std::string colour_by;                         ///< column, "angle", "speed"; empty: one colour
   std::optional<double> colour_low, colour_high; ///< ends of the colour scale; none: of the data
   std::optional<PileView> view;                  ///< none: the whole pile

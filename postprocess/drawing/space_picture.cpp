@@ -4,6 +4,8 @@
 #include "height_map.h"
 #include "legends.h"
 #include "quaternion_of_matrix.h"
+#include "space_camera.h"
+#include "space_overlays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +15,6 @@ namespace ellipsoid::post {
 namespace {
 
 constexpr int rays_per_side = 3; ///< of a pixel
-constexpr double radians = 3.141592653589793238462643 / 180.0;
 
 /// The nearest body behind each ray.
 struct DepthBuffer {
@@ -25,20 +26,6 @@ struct DepthBuffer {
   DepthBuffer(std::size_t w, std::size_t h)
       : width(w), height(h), depth(w * h, -std::numeric_limits<double>::infinity()),
         owner(w * h, -1), light(w * h, 0.0f) {}
-};
-
-/// Axes of the camera's frame: x to the right, y up, z towards the camera.
-struct Camera {
-  Vector3 right, up, towards;
-
-  explicit Camera(const SpaceView& view) {
-    const double azimuth = view.azimuth_deg * radians, elevation = view.elevation_deg * radians;
-    towards = {std::cos(azimuth) * std::cos(elevation), std::sin(azimuth) * std::cos(elevation),
-               std::sin(elevation)};
-    right = {-std::sin(azimuth), std::cos(azimuth), 0.0};
-    up = cross(towards, right);
-  }
-  Vector3 seen(const Vector3& v) const { return {dot(right, v), dot(up, v), dot(towards, v)}; }
 };
 
 /// The set in the camera's frame.
@@ -208,55 +195,21 @@ SpacePixels draw_space(const ParticleSet& upright, const std::vector<Colour>& co
 
 namespace {
 
-constexpr Colour ink{0.13, 0.15, 0.18}, grey{0.45, 0.47, 0.50};
-
-/// Arrows along x, y and z in the corner, the nearest one last.
-void draw_axes(Canvas& canvas, const SpaceView& view, const PixelPoint& corner, double unit) {
-  const Camera camera(view);
-  const Vector3 axes[3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-  std::array<std::size_t, 3> order{0, 1, 2};
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return camera.seen(axes[i]).z < camera.seen(axes[j]).z;
-  });
-  Style line;
-  line.line = ink;
-  line.line_width = 2.5 * unit;
-  TextStyle text;
-  text.size = 22.0 * unit;
-  text.anchor = Anchor::middle;
-  for (const std::size_t k : order) {
-    const Vector3 tip = camera.seen(axes[k]);
-    const double length = 60.0 * unit;
-    canvas.line(corner, {corner.x + length * tip.x, corner.y - length * tip.y}, line);
-    canvas.text({corner.x + 1.25 * length * tip.x, corner.y - 1.25 * length * tip.y + 8.0 * unit},
-                view.axis_names[k], text);
+/// What is shown of space: a part that was asked for, or what the particles take.
+Box shown_part(const ParticleSet& upright, const SpaceView& view) {
+  if (view.part)
+    return *view.part;
+  Box box;
+  bool is_first = true;
+  for (const Particle& p : upright.particles) {
+    const double centre[3] = {p.centre.x, p.centre.y, p.centre.z}, reach = p.largest_axis();
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.lower[k] = is_first ? centre[k] - reach : std::min(box.lower[k], centre[k] - reach);
+      box.upper[k] = is_first ? centre[k] + reach : std::max(box.upper[k], centre[k] + reach);
+    }
+    is_first = false;
   }
-}
-
-/// The twelve edges of a box, also of a tilted one.
-void draw_box(Canvas& canvas, const SpaceView& view, const Box& box, const SpacePixels& pixels,
-              double down, double unit) {
-  const Camera camera(view);
-  const Vector3 corner{box.lower[0], box.lower[1], box.lower[2]};
-  std::vector<Vector3> edges = box.tilted_edges;
-  if (edges.empty())
-    edges = {{box.upper[0] - box.lower[0], 0.0, 0.0},
-             {0.0, box.upper[1] - box.lower[1], 0.0},
-             {0.0, 0.0, box.upper[2] - box.lower[2]}};
-  Style line;
-  line.line = grey;
-  line.line_width = 1.5 * unit;
-  const auto seen = [&](const Vector3& v) {
-    const Vector3 p = camera.seen(v);
-    return PixelPoint{pixels.origin.x + pixels.pixels_per_length * p.x,
-                      down + pixels.origin.y - pixels.pixels_per_length * p.y};
-  };
-  for (std::size_t k = 0; k < 3; ++k)
-    for (const double s : {0.0, 1.0})
-      for (const double t : {0.0, 1.0}) {
-        const Vector3 begin = corner + s * edges[(k + 1) % 3] + t * edges[(k + 2) % 3];
-        canvas.line(seen(begin), seen(begin + edges[k]), line);
-      }
+  return box;
 }
 
 } // namespace
@@ -264,7 +217,7 @@ void draw_box(Canvas& canvas, const SpaceView& view, const Box& box, const Space
 std::string space_picture(PictureFormat format, const ParticleSet& upright,
                           const ParticleColours& colours, const SpaceView& view,
                           const std::string& title) {
-  const double unit = view.width / 1600.0, side = 60.0 * unit;
+  const double unit = view.letters * view.width / 1600.0, side = 60.0 * unit;
   const double heading = std::ceil(64.0 * unit), footing = std::ceil(84.0 * unit); // pixels
   SpaceView inner = view;
   inner.height = view.height - static_cast<int>(heading + footing);
@@ -275,8 +228,10 @@ std::string space_picture(PictureFormat format, const ParticleSet& upright,
   const SpacePixels pixels = draw_space(upright, colours.colours, inner);
   canvas->image({0.0, heading}, pixels.image);
   canvas->begin_clip({0.0, heading}, view.width, inner.height);
+  const SpaceProjection to(inner, pixels, heading);
+  draw_surfaces(*canvas, to, inner, shown_part(upright, inner), unit);
   if (view.show_box)
-    draw_box(*canvas, inner, upright.box, pixels, heading, unit);
+    draw_box(*canvas, to, upright.box, unit);
   if (view.show_axes)
     draw_axes(*canvas, inner, {side + 60.0 * unit, heading + inner.height - 90.0 * unit}, unit);
   canvas->end_clip();

@@ -4,6 +4,7 @@
 #include "particle_colours.h"
 #include "particles.h"
 #include "png.h"
+#include "run_walls.h"
 
 #include <array>
 #include <optional>
@@ -17,9 +18,12 @@ struct SpaceView {
   double elevation_deg = 25.0;    ///< of the camera over the xy plane
   int width = 1200, height = 900; ///< pixels
   double zoom = 1.0;
+  double letters = 1.0;                                 ///< factor on the size of words and lines
   std::array<const char*, 3> axis_names{"x", "y", "z"}; ///< of the upright axes, at the tripod
   bool show_axes = true;                                ///< a tripod in the corner
   bool show_box = false;                                ///< the edges of the particles' box
+  std::vector<PrimitivePlane> planes;                   ///< walls, as far as they are seen
+  std::vector<std::array<Vector3, 3>> triangles;        ///< of meshes (length)
   std::optional<Box> part; ///< what is fitted into the picture; none: all particles
 };
 

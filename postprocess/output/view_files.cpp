@@ -1,6 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "view_files.h"
 
+#include <fstream>
+
 #include "view_sources.h" // made at build time from the files of view/
 
 namespace ellipsoid::post {
@@ -26,6 +28,13 @@ std::string view_html(const std::map<std::string, std::string>& values) {
     put(page, name, value);
   put(page, "STYLE", view_sources::style_css);
   return page;
+}
+
+bool is_view_page(const std::string& path) {
+  std::string begin(1000, '\0');
+  std::ifstream(path, std::ios::binary)
+      .read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  return begin.find("name=\"generator\" content=\"ellipsoid-post view\"") != std::string::npos;
 }
 
 } // namespace ellipsoid::post

@@ -10,4 +10,7 @@ namespace ellipsoid::post {
 /// @NAME@. The files are part of the program (see view/CMakeLists.txt).
 std::string view_html(const std::map<std::string, std::string>& values);
 
+/// Whether a file begins as such a page does.
+bool is_view_page(const std::string& path);
+
 } // namespace ellipsoid::post

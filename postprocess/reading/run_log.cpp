@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fmt/format.h>
 #include <mutex>
 #include <system_error>
 #include <vector>
@@ -64,6 +65,22 @@ std::optional<Vector3> gravity_of(const std::vector<std::string_view>& words) {
   return numbers[0] * normalized(direction);
 }
 
+/// The seed of a fix that draws random numbers: after the style of templates and distributions,
+/// else after the word `seed`.
+std::optional<std::string_view> seed_of(const std::vector<std::string_view>& words) {
+  constexpr std::size_t style = 3; // fix ID GROUP STYLE
+  if (words.size() < style + 2 || words[0] != "fix")
+    return std::nullopt;
+  std::string_view seed;
+  for (const std::string_view begin : {"particletemplate/", "particledistribution/"})
+    if (words[style].substr(0, begin.size()) == begin)
+      seed = words[style + 1];
+  for (std::size_t k = style + 1; seed.empty() && k + 1 < words.size(); ++k)
+    if (words[k] == "seed")
+      seed = words[k + 1];
+  return whole_token<std::int64_t>(seed) ? std::optional(seed) : std::nullopt;
+}
+
 /// What the lines of a log say, one after the other.
 class LogLines {
  public:
@@ -104,6 +121,8 @@ class LogLines {
       if (count && is_upto)
         m_log.wanted_step = count;
       m_steps = is_upto ? std::nullopt : count;
+    } else if (const auto seed = seed_of(words)) {
+      m_log.seeds[fmt::format("{} ({})", words[1], words[3])] = std::string(*seed);
     } else if (const auto gravity = gravity_of(words)) {
       // a resumed run appends to its log: the same fix comes again
       m_gravity[std::string(words[1])] = *gravity;

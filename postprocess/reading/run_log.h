@@ -15,6 +15,7 @@ struct RunLog {
   std::string path;
   std::string version;                          ///< first line that names LIGGGHTS
   std::map<std::string, std::string> variables; ///< values that were put in for ${name}
+  std::map<std::string, std::string> seeds;     ///< of random numbers, by the fix's ID and style
   double loop_time = 0.0;                       ///< of all run commands together (s)
   int ranks = 0;                                ///< MPI processes of the last run command
   std::optional<double> time_step;              ///< of the last `timestep` command

@@ -1,8 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "frame_loop.h"
 
+#include "chosen_runs.h"
 #include "frame_chooser.h"
-#include "frame_stream.h"
 #include "messages.h"
 
 #include <algorithm>
@@ -19,6 +19,10 @@ RunGrouping grouping_of(const FrameOptions& options) {
 
 } // namespace
 
+std::vector<Run> runs_of(const FrameOptions& options) {
+  return runs_of(options.runs, grouping_of(options));
+}
+
 int for_measured_frames(const FrameOptions& options,
                         const std::function<Collect(const ChosenFrame&)>& measure) {
   const unsigned threads =
@@ -28,7 +32,7 @@ int for_measured_frames(const FrameOptions& options,
     std::unique_ptr<WorkerPool> workers;
     if (threads > 1 && options.frames == "all")
       workers = std::make_unique<WorkerPool>(threads);
-    for (const Run& run : runs_of(options.runs, grouping_of(options)))
+    for (const Run& run : runs_of(options))
       code = std::max(
           code,
           FrameChooser(options, run.name, workers.get(), 2 * threads, measure).read(run.files));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "frame_options.h"
+#include "run_surfaces.h"
 #include "space_picture.h"
 
 #include <string>
@@ -14,7 +15,8 @@ struct RenderSpaceOptions {
   SpaceView view;
   std::string up, colour_by, output, title;
   std::vector<double> colour_range, part;
-  bool is_bare = false;
+  RunSurfaceOptions surfaces;
+  bool is_bare = false, show_walls = false;
 };
 
 /// Draws the chosen frames of particles in space; all frames with one view and one range of
