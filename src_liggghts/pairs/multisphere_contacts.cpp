@@ -111,7 +111,7 @@ bool MultisphereContacts::search(const NearPair& pair, const Vector3& distance,
 
 double MultisphereContacts::search_gap(int i, int j, double approach) {
   const double radii = atom->shape[i][1] + atom->shape[j][1];
-  const int spheres = std::max(chains_.pose(i).chain->count(), chains_.pose(j).chain->count());
+  const int spheres = std::max(chains_.pose(i).body->count(), chains_.pose(j).body->count());
   const double steps = std::min(look_ahead, look_ahead_of_chain / spheres);
   return std::clamp(clocks().gap_for(steps, i, j, approach), smallest_gap_share * radii,
                     largest_gap_share * radii);

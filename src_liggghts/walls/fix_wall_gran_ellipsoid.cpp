@@ -97,7 +97,7 @@ FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg)
     error->fix_error(FLERR, this, complaint.c_str());
   read_cylinder(narg, arg);
   if (multisphere) {
-    choose_finder<ellipsoid_host::SphereChains>();
+    choose_finder<ellipsoid_host::MultisphereBodies>();
     rule_ = impl->get_history_offset("multicontact") ? ellipsoid::MulticontactRule::average
                                                      : ellipsoid::MulticontactRule::sum;
   } else {
@@ -126,7 +126,7 @@ void FixWallGranEllipsoid::read_cylinder(int narg, char** arg) {
     cylinder_centre_[(cylinder_axis_ + k) % 3] = reader.number(shape, -HUGE_VAL, HUGE_VAL);
 }
 
-/// @tparam Bodies what the particles are: SmoothEllipsoids or SphereChains
+/// @tparam Bodies what the particles are: SmoothEllipsoids or MultisphereBodies
 template <class Bodies> void FixWallGranEllipsoid::choose_finder() {
   using namespace ellipsoid_host;
   if (is_mesh_wall())

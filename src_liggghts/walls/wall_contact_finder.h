@@ -46,11 +46,11 @@ class SmoothEllipsoids : private LAMMPS_NS::Pointers {
   ellipsoid::Quaternion orientation(int i) const { return quaternion(atom->quaternion[i]); }
 };
 
-class SphereChains {
+class MultisphereBodies {
  public:
-  explicit SphereChains(LAMMPS_NS::LAMMPS* lmp) : particles_(lmp) {}
+  explicit MultisphereBodies(LAMMPS_NS::LAMMPS* lmp) : particles_(lmp) {}
   void begin_step() { particles_.find_properties(); }
-  ellipsoid::ChainPose body(int i) { return particles_.make_pose(i); }
+  ellipsoid::MultispherePose body(int i) { return particles_.make_pose(i); }
   bool may_touch(int, const ellipsoid::PlaneWall&) const { return true; }
 
  private:

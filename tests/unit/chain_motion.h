@@ -12,8 +12,9 @@ namespace ellipsoid {
 
 /// Motion of a body in a step.
 /// @param[in] displacement of its centre (length)
-inline Motion motion(const ChainPose& before, const ChainPose& after, const Vector3& displacement) {
-  const SphereChain& chain = *after.chain;
+inline Motion motion(const MultispherePose& before, const MultispherePose& after,
+                     const Vector3& displacement) {
+  const MultisphereBody& chain = *after.body;
   const double grown = std::fabs(after.scale - before.scale);
   return {displacement, after.scale * chain.half_length() * norm(after.axis - before.axis) +
                             grown * (chain.half_length() + chain.largest_radius())};

@@ -189,7 +189,7 @@ TEST(CylinderContact, Sphere) {
   MultisphereTemplate ball;
   ball.centres = {0.0};
   ball.radii = {1.0};
-  const SphereChain chain(ball);
+  const MultisphereBody chain(ball);
   for (int k = 0; k < 2000; ++k) {
     const double r = random.log_uniform(0.1, 10.0), wall = r * random.uniform(1.2, 10.0);
     const bool inside = k % 2;
@@ -202,8 +202,8 @@ TEST(CylinderContact, Sphere) {
     ASSERT_NEAR(c[0].overlap, overlap, 1e-12 * wall);
     const double curvature = 1.0 / r + (inside ? -1.0 : 1.0) / wall;
     ASSERT_NEAR(c[0].reduced_radius, 1.0 / std::sqrt(curvature / r), 1e-6 * c[0].reduced_radius);
-    ChainPose pose;
-    pose.chain = &chain;
+    MultispherePose pose;
+    pose.body = &chain;
     pose.scale = r;
     pose.axis = random.direction();
     std::vector<WallContact> spheres;

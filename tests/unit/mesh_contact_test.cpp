@@ -397,10 +397,10 @@ TEST(MeshContact, BoxIsClosed) {
 // Chains of spheres on a floor of triangles: those of the plane, sphere by sphere.
 TEST(MeshContact, ChainOnAFloorOfTriangles) {
   PairGenerator random(47);
-  const SphereChain chain(make_multisphere(3.0, 1.0, 9, SphereSpacing::paper));
+  const MultisphereBody chain(make_multisphere(3.0, 1.0, 9, SphereSpacing::paper));
   for (int k = 0; k < 400; ++k) {
-    ChainPose pose;
-    pose.chain = &chain;
+    MultispherePose pose;
+    pose.body = &chain;
     pose.axis = random.direction();
     pose.axis.z *= 0.1;
     pose.axis = normalized(pose.axis);

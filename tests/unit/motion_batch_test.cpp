@@ -75,10 +75,10 @@ TEST(MotionBatch, TurnsBoundWhatSurfacesDo) {
 TEST(MotionBatch, ChainsMoveAsOneByOne) {
   std::mt19937_64 random(20100603);
   std::normal_distribution<double> gauss;
-  const SphereChain five(make_multisphere(2.35, 1.0, 5)), one(make_multisphere(1.5, 1.0, 1));
+  const MultisphereBody five(make_multisphere(2.35, 1.0, 5)), one(make_multisphere(1.5, 1.0, 1));
   for (const int count : {1, 7, 63, Motions::capacity}) {
     std::vector<double> axes, x, q, last_x;
-    std::vector<ChainPose> poses, after;
+    std::vector<MultispherePose> poses, after;
     for (int k = 0; k < count; ++k) {
       const Quaternion turned =
           normalized(Quaternion{gauss(random), gauss(random), gauss(random), gauss(random)});
@@ -89,19 +89,19 @@ TEST(MotionBatch, ChainsMoveAsOneByOne) {
         last_x.push_back(gauss(random));
         x.push_back(gauss(random));
       }
-      const SphereChain* chain = k % 2 == 0 ? &five : &one;
+      const MultisphereBody* chain = k % 2 == 0 ? &five : &one;
       const Vector3 axis = normalized(Vector3{gauss(random), gauss(random), gauss(random)});
       poses.push_back({chain, axis, 1.0});
       after.push_back({chain, rotation(turned).column_x, scale});
     }
     const std::vector<double> x_before = last_x;
-    const std::vector<ChainPose> before = poses;
+    const std::vector<MultispherePose> before = poses;
     Motions motions;
     motions.count = count;
     measure_motions({axes.data(), x.data(), q.data(), last_x.data(), poses.data()}, motions);
     EXPECT_EQ(last_x, x);
     for (std::size_t k = 0; k < poses.size(); ++k) {
-      EXPECT_EQ(poses[k].chain, after[k].chain);
+      EXPECT_EQ(poses[k].body, after[k].body);
       EXPECT_EQ(poses[k].scale, after[k].scale);
       EXPECT_EQ(norm(poses[k].axis - after[k].axis), 0.0);
       for (std::size_t l = 3 * k; l < 3 * k + 3; ++l)

@@ -44,15 +44,16 @@ void add(Loads& loads, LongVector force_on_i, LongVector point, LongVector centr
 }
 
 /// Every sphere of i with every sphere of j, in extended precision, with its own formulas.
-Loads brute_force(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance) {
+Loads brute_force(const MultispherePose& i, const MultispherePose& j,
+                  const Vector3& centre_distance) {
   Loads loads;
   const LongVector d = wide(centre_distance);
-  for (int k = 0; k < i.chain->count(); ++k)
-    for (int l = 0; l < j.chain->count(); ++l) {
-      const LongVector ck = (1.0L * i.scale * i.chain->centre(k)) * wide(i.axis);
-      const LongVector cl = d + (1.0L * j.scale * j.chain->centre(l)) * wide(j.axis);
-      const long double rk = 1.0L * i.scale * i.chain->radius(k);
-      const long double rl = 1.0L * j.scale * j.chain->radius(l);
+  for (int k = 0; k < i.body->count(); ++k)
+    for (int l = 0; l < j.body->count(); ++l) {
+      const LongVector ck = (1.0L * i.scale * i.body->centre(k)) * wide(i.axis);
+      const LongVector cl = d + (1.0L * j.scale * j.body->centre(l)) * wide(j.axis);
+      const long double rk = 1.0L * i.scale * i.body->radius(k);
+      const long double rl = 1.0L * j.scale * j.body->radius(l);
       const long double gap = length(cl - ck) - rk - rl;
       if (gap >= 0.0L)
         continue;
@@ -62,7 +63,7 @@ Loads brute_force(const ChainPose& i, const ChainPose& j, const Vector3& centre_
   return loads;
 }
 
-Loads searched(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance) {
+Loads searched(const MultispherePose& i, const MultispherePose& j, const Vector3& centre_distance) {
   Loads loads;
   for_each_contact(i, j, centre_distance, [&](const SphereContact& c) {
     add(loads, -c.overlap * wide(c.normal), wide(c.point), wide(centre_distance));
@@ -111,13 +112,14 @@ class Poses {
 };
 
 /// Largest distance along `direction` at which any two spheres touch; 0 if there is none.
-double touching_distance(const ChainPose& i, const ChainPose& j, const Vector3& direction) {
+double touching_distance(const MultispherePose& i, const MultispherePose& j,
+                         const Vector3& direction) {
   double largest = 0.0;
-  for (int k = 0; k < i.chain->count(); ++k)
-    for (int l = 0; l < j.chain->count(); ++l) {
+  for (int k = 0; k < i.body->count(); ++k)
+    for (int l = 0; l < j.body->count(); ++l) {
       const Vector3 offset =
-          (j.scale * j.chain->centre(l)) * j.axis - (i.scale * i.chain->centre(k)) * i.axis;
-      const double sum = i.scale * i.chain->radius(k) + j.scale * j.chain->radius(l);
+          (j.scale * j.body->centre(l)) * j.axis - (i.scale * i.body->centre(k)) * i.axis;
+      const double sum = i.scale * i.body->radius(k) + j.scale * j.body->radius(l);
       const double along = dot(offset, direction);
       const double discriminant = along * along - dot(offset, offset) + sum * sum;
       if (discriminant > 0.0)
@@ -127,16 +129,16 @@ double touching_distance(const ChainPose& i, const ChainPose& j, const Vector3& 
 }
 
 struct Pair {
-  ChainPose i, j;
+  MultispherePose i, j;
   Vector3 centre_distance;
 };
 
 /// A pair in a random pose, from a hair apart to overlapping by a third of the smaller minor axis.
-Pair random_pair(Poses& poses, const SphereChain& chain_i, const SphereChain& chain_j,
+Pair random_pair(Poses& poses, const MultisphereBody& chain_i, const MultisphereBody& chain_j,
                  double largest_ratio) {
   Pair pair;
-  pair.i.chain = &chain_i;
-  pair.j.chain = &chain_j;
+  pair.i.body = &chain_i;
+  pair.j.body = &chain_j;
   const double ratio = std::pow(largest_ratio, poses.uniform(-1.0, 1.0));
   (ratio > 1.0 ? pair.i : pair.j).scale = ratio > 1.0 ? ratio : 1.0 / ratio;
   pair.i.axis = poses.direction();
@@ -151,8 +153,9 @@ Pair random_pair(Poses& poses, const SphereChain& chain_i, const SphereChain& ch
   return pair;
 }
 
-SphereChain chain(double aspect_ratio, int count, SphereSpacing spacing = SphereSpacing::paper) {
-  return SphereChain(make_multisphere(aspect_ratio, 1.0, count, spacing));
+MultisphereBody chain(double aspect_ratio, int count,
+                      SphereSpacing spacing = SphereSpacing::paper) {
+  return MultisphereBody(make_multisphere(aspect_ratio, 1.0, count, spacing));
 }
 
 void expect_equal(const Loads& found, const Loads& truth, double size) {
@@ -165,12 +168,12 @@ void expect_equal(const Loads& found, const Loads& truth, double size) {
 }
 
 double size_of(const Pair& pair) {
-  return pair.i.scale * (pair.i.chain->half_length() + pair.i.chain->largest_radius()) +
-         pair.j.scale * (pair.j.chain->half_length() + pair.j.chain->largest_radius());
+  return pair.i.scale * (pair.i.body->half_length() + pair.i.body->largest_radius()) +
+         pair.j.scale * (pair.j.body->half_length() + pair.j.body->largest_radius());
 }
 
-void compare_with_brute_force(const SphereChain& i, const SphereChain& j, double largest_ratio,
-                              int poses_count) {
+void compare_with_brute_force(const MultisphereBody& i, const MultisphereBody& j,
+                              double largest_ratio, int poses_count) {
   Poses poses;
   int touching = 0;
   for (int pose = 0; pose < poses_count; ++pose) {
@@ -189,25 +192,25 @@ void compare_with_brute_force(const SphereChain& i, const SphereChain& j, double
 class BruteForce : public ::testing::TestWithParam<int> {};
 
 TEST_P(BruteForce, HundredThousandPoses) {
-  const SphereChain one = chain(2.35, GetParam());
+  const MultisphereBody one = chain(2.35, GetParam());
   compare_with_brute_force(one, one, 1.0, 100000);
 }
 
 INSTANTIATE_TEST_SUITE_P(MultisphereContact, BruteForce, ::testing::Values(1, 3, 5, 17, 55));
 
 TEST(MultisphereContact, MixedCountsSizesShapesAndSpacings) {
-  const SphereChain ball = chain(1.2, 1), three = chain(2.9, 3), short_chain = chain(1.01, 9);
-  const SphereChain middle = chain(2.35, 17, SphereSpacing::minimax_outline);
-  const SphereChain needle = chain(10.0, 55), coarse = chain(10.0, 23);
-  const SphereChain area = chain(5.0, 13, SphereSpacing::minimax_area);
-  const SphereChain* chains[] = {&ball, &three, &short_chain, &middle, &needle, &coarse, &area};
-  for (const SphereChain* i : chains)
-    for (const SphereChain* j : chains)
+  const MultisphereBody ball = chain(1.2, 1), three = chain(2.9, 3), short_chain = chain(1.01, 9);
+  const MultisphereBody middle = chain(2.35, 17, SphereSpacing::minimax_outline);
+  const MultisphereBody needle = chain(10.0, 55), coarse = chain(10.0, 23);
+  const MultisphereBody area = chain(5.0, 13, SphereSpacing::minimax_area);
+  const MultisphereBody* chains[] = {&ball, &three, &short_chain, &middle, &needle, &coarse, &area};
+  for (const MultisphereBody* i : chains)
+    for (const MultisphereBody* j : chains)
       compare_with_brute_force(*i, *j, 100.0, 2500);
 }
 
 TEST(MultisphereContact, SwapSymmetryAndReaction) {
-  const SphereChain a = chain(2.35, 17), b = chain(5.0, 33);
+  const MultisphereBody a = chain(2.35, 17), b = chain(5.0, 33);
   Poses poses;
   std::vector<SphereContact> forth, back;
   for (int pose = 0; pose < 20000; ++pose) {
@@ -240,7 +243,7 @@ TEST(MultisphereContact, SwapSymmetryAndReaction) {
 }
 
 TEST(MultisphereContact, ContactGeometry) {
-  const SphereChain a = chain(2.35, 17);
+  const MultisphereBody a = chain(2.35, 17);
   Poses poses;
   for (int pose = 0; pose < 2000; ++pose) {
     const Pair pair = random_pair(poses, a, a, 3.0);
@@ -262,8 +265,8 @@ TEST(MultisphereContact, ContactGeometry) {
 }
 
 TEST(MultisphereContact, OneSphereIsASphere) {
-  const SphereChain ball = chain(2.0, 1);
-  const ChainPose i{&ball, {0.0, 0.6, 0.8}, 2.0}, j{&ball, {1.0, 0.0, 0.0}, 0.5};
+  const MultisphereBody ball = chain(2.0, 1);
+  const MultispherePose i{&ball, {0.0, 0.6, 0.8}, 2.0}, j{&ball, {1.0, 0.0, 0.0}, 0.5};
   std::vector<SphereContact> contacts;
   ContactCount count = find_contacts(i, j, {0.0, 2.4, 0.0}, contacts);
   ASSERT_EQ(count.contacts, 1);
@@ -279,7 +282,7 @@ TEST(MultisphereContact, OneSphereIsASphere) {
 }
 
 TEST(MultisphereContact, SideBySideEndToEndAndCrossed) {
-  const SphereChain c = chain(2.35, 17);
+  const MultisphereBody c = chain(2.35, 17);
   const Vector3 x{1.0, 0.0, 0.0}, y{0.0, 1.0, 0.0};
   std::vector<SphereContact> contacts;
   // Parallel, side by side: the centre spheres first, then every sphere with its own partner.
@@ -309,12 +312,12 @@ TEST(MultisphereContact, SideBySideEndToEndAndCrossed) {
 TEST(MultisphereContact, TestsOrderOfNPairs) {
   // Light contact, as in a pile.
   for (const int count : {5, 17, 55}) {
-    const SphereChain c = chain(2.35, count);
+    const MultisphereBody c = chain(2.35, count);
     Poses poses;
     long tested = 0;
     constexpr int poses_count = 5000;
     for (int pose = 0; pose < poses_count; ++pose) {
-      ChainPose i{&c, poses.direction(), 1.0}, j{&c, poses.direction(), 1.0};
+      MultispherePose i{&c, poses.direction(), 1.0}, j{&c, poses.direction(), 1.0};
       const Vector3 direction = poses.direction();
       const Vector3 d = (touching_distance(i, j, direction) - 1e-3) * direction;
       tested += for_each_contact(i, j, d, [](const SphereContact&) {}).tested;
@@ -338,11 +341,11 @@ TEST(MultisphereContact, EveryTemplateIsConcave) {
 }
 
 TEST(MultisphereContact, PlaneAgainstEverySphere) {
-  const SphereChain c = chain(2.35, 17);
+  const MultisphereBody c = chain(2.35, 17);
   Poses poses;
   std::vector<WallContact> contacts;
   for (int pose = 0; pose < 20000; ++pose) {
-    const ChainPose i{&c, poses.direction(), poses.uniform(0.1, 10.0)};
+    const MultispherePose i{&c, poses.direction(), poses.uniform(0.1, 10.0)};
     const Vector3 n = poses.direction();
     double reach = 0.0;
     for (int k = 0; k < c.count(); ++k)
@@ -375,11 +378,11 @@ TEST(MultisphereContact, PlaneAgainstEverySphere) {
 }
 
 TEST(MultisphereContact, GapBoundAgainstSampledCapsules) {
-  const SphereChain a = chain(2.35, 17), b = chain(10.0, 55);
+  const MultisphereBody a = chain(2.35, 17), b = chain(10.0, 55);
   Poses poses;
   for (int pose = 0; pose < 2000; ++pose) {
     const Vector3 u = poses.direction();
-    const ChainPose i{&a, u, poses.uniform(0.1, 10.0)}, j{&b, poses.second_axis(u), 1.0};
+    const MultispherePose i{&a, u, poses.uniform(0.1, 10.0)}, j{&b, poses.second_axis(u), 1.0};
     const Vector3 d = poses.uniform(0.0, 30.0) * poses.centre_direction(i.axis, j.axis);
     const double half_i = i.scale * a.half_length(), half_j = b.half_length();
     double nearest = 1e300;
@@ -405,8 +408,8 @@ TEST(MultisphereContact, MulticontactWeight) {
 
 TEST(MultisphereContact, RefusesBadChains) {
   const auto refused = [](std::vector<double> centres, std::vector<double> radii) {
-    EXPECT_THROW(SphereChain(MultisphereTemplate{2.0, 1.0, SphereSpacing::paper, std::move(centres),
-                                                 std::move(radii)}),
+    EXPECT_THROW(MultisphereBody(MultisphereTemplate{2.0, 1.0, SphereSpacing::paper,
+                                                     std::move(centres), std::move(radii)}),
                  std::invalid_argument);
   };
   refused({}, {});

@@ -31,17 +31,17 @@ class Random {
   std::mt19937_64 engine_{seed};
 };
 
-SphereChain chain(int count) { return SphereChain(make_multisphere(2.35, 1.0, count)); }
+MultisphereBody chain(int count) { return MultisphereBody(make_multisphere(2.35, 1.0, count)); }
 
 /// All pairs of spheres closer than `gap`, in ascending order: every one is looked at.
-Pairs closer_than(double gap, const ChainPose& i, const ChainPose& j,
+Pairs closer_than(double gap, const MultispherePose& i, const MultispherePose& j,
                   const Vector3& centre_distance) {
   Pairs pairs;
-  for (int k = 0; k < i.chain->count(); ++k)
-    for (int l = 0; l < j.chain->count(); ++l) {
-      const Vector3 distance = centre_distance + (j.scale * j.chain->centre(l)) * j.axis -
-                               (i.scale * i.chain->centre(k)) * i.axis;
-      if (norm(distance) < i.scale * i.chain->radius(k) + j.scale * j.chain->radius(l) + gap)
+  for (int k = 0; k < i.body->count(); ++k)
+    for (int l = 0; l < j.body->count(); ++l) {
+      const Vector3 distance = centre_distance + (j.scale * j.body->centre(l)) * j.axis -
+                               (i.scale * i.body->centre(k)) * i.axis;
+      if (norm(distance) < i.scale * i.body->radius(k) + j.scale * j.body->radius(l) + gap)
         pairs.emplace_back(k, l);
     }
   return pairs;
@@ -50,12 +50,12 @@ Pairs closer_than(double gap, const ChainPose& i, const ChainPose& j,
 /// Two bodies that tumble about each other, now touching, now apart.
 struct Tumbling {
   Random random;
-  ChainPose i, j;
+  MultispherePose i, j;
   Vector3 centre_distance{1.5, 0.0, 0.0}, velocity, spin_i, spin_j;
 
-  Tumbling(const SphereChain& chain_i, const SphereChain& chain_j) {
-    i.chain = &chain_i;
-    j.chain = &chain_j;
+  Tumbling(const MultisphereBody& chain_i, const MultisphereBody& chain_j) {
+    i.body = &chain_i;
+    j.body = &chain_j;
     j.scale = 1.3;
   }
   /// @param[in] step length of one step
@@ -88,12 +88,12 @@ Pairs touching_pairs(NearSpheres& near, const Tumbling& bodies) {
 class Watch : public ::testing::TestWithParam<std::pair<int, int>> {};
 
 TEST_P(Watch, FindsWhatIsCloserThanTheGap) {
-  const SphereChain one = chain(GetParam().first), other = chain(GetParam().second);
+  const MultisphereBody one = chain(GetParam().first), other = chain(GetParam().second);
   Random random;
   std::size_t all = 0;
   for (int pose = 0; pose < 20000; ++pose) {
-    const ChainPose i{&one, normalized(random.vector(1.0)), 1.0};
-    const ChainPose j{&other, normalized(random.vector(1.0)), random.uniform(0.5, 2.0)};
+    const MultispherePose i{&one, normalized(random.vector(1.0)), 1.0};
+    const MultispherePose j{&other, normalized(random.vector(1.0)), random.uniform(0.5, 2.0)};
     const Vector3 distance = random.uniform(1.0, 6.0) * normalized(random.vector(1.0));
     const double gap = std::pow(10.0, random.uniform(-5.0, 0.0));
     const Pairs truth = closer_than(gap, i, j, distance);
@@ -110,7 +110,7 @@ TEST_P(Watch, FindsWhatIsCloserThanTheGap) {
 }
 
 TEST_P(Watch, KnowsEveryContactBetweenSearches) {
-  const SphereChain one = chain(GetParam().first), other = chain(GetParam().second);
+  const MultisphereBody one = chain(GetParam().first), other = chain(GetParam().second);
   Tumbling bodies(one, other);
   NearSpheres near;
   near.restart(3);
@@ -150,12 +150,12 @@ INSTANTIATE_TEST_SUITE_P(Chains, Watch,
                                            std::make_pair(17, 17), std::make_pair(55, 17)));
 
 TEST(NearSpheres, ForgetsAndStartsDue) {
-  const SphereChain five = chain(5);
+  const MultisphereBody five = chain(5);
   NearSpheres near;
   near.restart(2);
   EXPECT_TRUE(near.is_due(0, 0.0, 0.0));
   EXPECT_TRUE(near.is_empty(0));
-  const ChainPose pose{&five, {1.0, 0.0, 0.0}, 1.0};
+  const MultispherePose pose{&five, {1.0, 0.0, 0.0}, 1.0};
   EXPECT_NEAR(near.search(0, pose, pose, {0.0, 1.9, 0.0}, 0.01).gap, 0.01, 1e-7);
   EXPECT_FALSE(near.is_empty(0));
   EXPECT_TRUE(near.is_due(0, 0.0, 0.0));
@@ -173,12 +173,12 @@ TEST(NearSpheres, ForgetsAndStartsDue) {
 }
 
 TEST(NearSpheres, MotionBoundsEverySphere) {
-  const SphereChain nine = chain(9);
+  const MultisphereBody nine = chain(9);
   Random random;
   for (int pose = 0; pose < 10000; ++pose) {
-    const ChainPose before{&nine, normalized(random.vector(1.0)), 1.0};
-    const ChainPose after{&nine, normalized(before.axis + random.vector(0.3)),
-                          random.uniform(0.9, 1.1)};
+    const MultispherePose before{&nine, normalized(random.vector(1.0)), 1.0};
+    const MultispherePose after{&nine, normalized(before.axis + random.vector(0.3)),
+                                random.uniform(0.9, 1.1)};
     const Vector3 displacement = random.vector(0.5);
     for (int k = 0; k < nine.count(); ++k) {
       const Vector3 way = displacement + (after.scale * nine.centre(k)) * after.axis -

@@ -87,14 +87,15 @@ TEST(SolidBody, OverlapIsThatOfPerramAndWertheim) {
   EXPECT_GT(apart, 3000);
 }
 
-SolidBody chain_at(const SphereChain& chain, const Vector3& centre, const Vector3& axis,
+SolidBody chain_at(const MultisphereBody& chain, const Vector3& centre, const Vector3& axis,
                    double scale) {
-  return chain_body(centre, {&chain, axis, scale});
+  return multisphere_body(centre, {&chain, axis, scale});
 }
 
 TEST(SolidBody, ChainsOverlapWhereSpheresDo) {
   Poses poses(815);
-  const SphereChain slender(make_multisphere(2.7, 1.0, 9)), round(make_multisphere(1.3, 1.0, 5));
+  const MultisphereBody slender(make_multisphere(2.7, 1.0, 9)),
+      round(make_multisphere(1.3, 1.0, 5));
   int found[2] = {0, 0};
   for (int k = 0; k < 5000; ++k) {
     const SolidBody i = chain_at(slender, poses.place(1.0), normalized(poses.place(1.0)), 0.9),
@@ -102,8 +103,8 @@ TEST(SolidBody, ChainsOverlapWhereSpheresDo) {
     bool touching = false;
     for (int p = 0; p < slender.count(); ++p)
       for (int q = 0; q < round.count(); ++q) {
-        const Vector3 d = j.centre + (1.4 * round.centre(q)) * j.chain.axis -
-                          (i.centre + (0.9 * slender.centre(p)) * i.chain.axis);
+        const Vector3 d = j.centre + (1.4 * round.centre(q)) * j.body.axis -
+                          (i.centre + (0.9 * slender.centre(p)) * i.body.axis);
         touching = touching || norm(d) < 0.9 * slender.radius(p) + 1.4 * round.radius(q);
       }
     EXPECT_EQ(overlap(i, j), touching);
@@ -113,7 +114,7 @@ TEST(SolidBody, ChainsOverlapWhereSpheresDo) {
     bool touches_ball = false;
     for (int p = 0; p < slender.count(); ++p)
       touches_ball =
-          touches_ball || norm(j.centre - i.centre - (0.9 * slender.centre(p)) * i.chain.axis) <
+          touches_ball || norm(j.centre - i.centre - (0.9 * slender.centre(p)) * i.body.axis) <
                               0.9 * slender.radius(p) + 1.4;
     EXPECT_EQ(overlap(i, ball), touches_ball);
     EXPECT_EQ(overlap(ball, i), touches_ball);
@@ -180,7 +181,7 @@ TEST(SolidBody, FarthestDistanceInSpecialPlaces) {
 }
 
 TEST(SolidBody, ChainWithinRegions) {
-  const SphereChain chain(make_multisphere(2.0, 1.0, 5));
+  const MultisphereBody chain(make_multisphere(2.0, 1.0, 5));
   const SolidBody body = chain_at(chain, {0.5, 0.0, 0.0}, {1.0, 0.0, 0.0}, 1.0);
   EXPECT_TRUE(is_inside_block(body, {-1.5001, -1.0001, -1.0001}, {2.5001, 1.0001, 1.0001}));
   EXPECT_FALSE(is_inside_block(body, {-1.5001, -1.0001, -1.0001}, {2.4999, 1.0001, 1.0001}));

@@ -15,19 +15,18 @@ std::array<double, 3> half_box(const EllipsoidShape& shape) {
   return {std::sqrt(a.xx), std::sqrt(a.yy), std::sqrt(a.zz)};
 }
 
-/// Whether test(centre, radius) holds for all spheres of a chain.
+/// Whether test(centre, radius) holds for all spheres of a body.
 template <class Test> bool all_spheres(const SolidBody& body, const Test& test) {
-  const ChainPose& pose = body.chain;
-  for (int k = 0; k < pose.chain->count(); ++k)
-    if (!test(body.centre + (pose.scale * pose.chain->centre(k)) * pose.axis,
-              pose.scale * pose.chain->radius(k)))
+  const SphereCentres spheres(body.spheres);
+  for (int k = 0; k < body.spheres.body->count(); ++k)
+    if (!test(body.centre + spheres.at(k), spheres.radius(k)))
       return false;
   return true;
 }
 
-/// Of a chain with a smooth body.
-bool spheres_overlap(const SolidBody& chain, const SolidBody& smooth) {
-  return !all_spheres(chain, [&smooth](const Vector3& centre, double radius) {
+/// Of a body of spheres with a smooth one.
+bool spheres_overlap(const SolidBody& spheres, const SolidBody& smooth) {
+  return !all_spheres(spheres, [&smooth](const Vector3& centre, double radius) {
     const EllipsoidShape sphere = make_shape({radius, radius, radius}, {});
     return find_contact(sphere, smooth.shape, smooth.centre - centre).status ==
            ContactStatus::separated;
@@ -82,12 +81,8 @@ SolidBody smooth_body(const Vector3& centre, const Vector3& semiaxes,
           {}};
 }
 
-SolidBody chain_body(const Vector3& centre, const ChainPose& pose) {
-  const SphereChain& chain = *pose.chain;
-  double reach = 0.0;
-  for (int k = 0; k < chain.count(); ++k)
-    reach = std::max(reach, std::fabs(chain.centre(k)) + chain.radius(k));
-  return {centre, pose.scale * reach, {}, pose};
+SolidBody multisphere_body(const Vector3& centre, const MultispherePose& pose) {
+  return {centre, pose.scale * pose.body->reach(), {}, pose};
 }
 
 bool overlap(const SolidBody& i, const SolidBody& j) {
@@ -100,7 +95,7 @@ bool overlap(const SolidBody& i, const SolidBody& j) {
   if (i.is_smooth())
     return find_contact(i.shape, j.shape, distance).status != ContactStatus::separated;
   bool touching = false;
-  for_each_contact(i.chain, j.chain, distance,
+  for_each_contact(i.spheres, j.spheres, distance,
                    [&touching](const SphereContact&) { touching = true; });
   return touching;
 }

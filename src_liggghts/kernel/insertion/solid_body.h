@@ -1,6 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// A body that takes up room: a smooth ellipsoid or a chain of spheres at a place. What insertion
+// A body that takes up room: a smooth ellipsoid or a body of spheres at a place. What insertion
 // asks of it: whether it overlaps another one, and whether it lies wholly in a block, ball or
 // cylinder.
 #pragma once
@@ -17,15 +17,15 @@ struct SolidBody {
   Vector3 centre;               ///< (length)
   double bounding_radius = 0.0; ///< about the centre (length)
   EllipsoidShape shape;         ///< of a smooth body
-  ChainPose chain;              ///< of one made of spheres; its `chain` is null for a smooth body
+  MultispherePose spheres;      ///< of one made of spheres; its `body` is null for a smooth body
 
-  bool is_smooth() const { return chain.chain == nullptr; }
+  bool is_smooth() const { return spheres.body == nullptr; }
 };
 
 /// @param[in] orientation unit quaternion, body to space
 SolidBody smooth_body(const Vector3& centre, const Vector3& semiaxes,
                       const Quaternion& orientation);
-SolidBody chain_body(const Vector3& centre, const ChainPose& pose);
+SolidBody multisphere_body(const Vector3& centre, const MultispherePose& pose);
 
 /// Whether two bodies have a point in common, exactly.
 bool overlap(const SolidBody& i, const SolidBody& j);

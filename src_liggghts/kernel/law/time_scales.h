@@ -123,16 +123,29 @@ inline double smallest_mass2_over_radius(const Vector3& semiaxes, double mass,
   return severity.mass2_over_radius(bound);
 }
 
-/// The same for a chain of spheres, each touched from the side.
-/// @param[in] inertia_across principal moment across the chain
-inline double smallest_mass2_over_radius(const SphereChain& chain, double scale, double mass,
-                                         double inertia_across) {
+/// Largest (r x n).I^-1.(r x n) over all directions n, for a point on the line of the force at r
+/// from the centre: r x n is any vector across r up to |r|, so it is |r|^2 times the larger
+/// eigenvalue of I^-1 in the plane across r, from its trace and determinant there.
+inline double largest_arm(const Vector3& r, const Vector3& inertia) {
+  const Vector3 inverse{1.0 / inertia.x, 1.0 / inertia.y, 1.0 / inertia.z};
+  const double xx = r.x * r.x, yy = r.y * r.y, zz = r.z * r.z;
+  const double trace =
+      xx * (inverse.y + inverse.z) + yy * (inverse.z + inverse.x) + zz * (inverse.x + inverse.y);
+  const double determinant =
+      (xx + yy + zz) *
+      (xx * inverse.y * inverse.z + yy * inverse.z * inverse.x + zz * inverse.x * inverse.y);
+  return 0.5 * (trace + std::sqrt(std::max(0.0, trace * trace - 4.0 * determinant)));
+}
+
+/// The same for a body of spheres, each touched from the side where it turns the body most easily.
+/// @param[in] inertia principal moments
+inline double smallest_mass2_over_radius(const MultisphereBody& body, double scale, double mass,
+                                         const Vector3& inertia) {
   double best = HUGE_VAL;
-  for (int k = 0; k < chain.count(); ++k) {
-    const double arm = scale * chain.centre(k);
-    best = std::min(best, mass2_over_radius(1.0 / (scale * chain.radius(k)),
-                                            1.0 / mass + arm * arm / inertia_across));
-  }
+  for (int k = 0; k < body.count(); ++k)
+    best = std::min(
+        best, mass2_over_radius(1.0 / (scale * body.radius(k)),
+                                1.0 / mass + scale * scale * largest_arm(body.place(k), inertia)));
   return best;
 }
 

@@ -36,9 +36,19 @@ inline void measure_loop(Rows& rows, int count) {
 }
 
 struct ChainStep {
-  const ChainRows& chains;
+  const MultisphereRows& chains;
   Motions& motions;
 };
+
+/// Square of the farthest that a place at distance 1 moves when a body turns from its pose: half
+/// the squared distance of the rotation matrices, 8 sin^2(angle / 2).
+inline double turned_squared(const MultispherePose& before, const double* quaternion) {
+  const Rotation3 now = rotation({quaternion[0], quaternion[1], quaternion[2], quaternion[3]});
+  const Rotation3 then = orientation_of(before);
+  const Vector3 x = now.column_x - then.column_x, y = now.column_y - then.column_y,
+                z = now.column_z - then.column_z;
+  return 0.5 * (dot(x, x) + dot(y, y) + dot(z, z));
+}
 
 inline void measure_chains_loop(ChainStep& step, int count) {
   take_displacements(step.chains.centres, step.chains.last_centres, count,
@@ -54,16 +64,18 @@ inline void measure_chains_loop(ChainStep& step, int count) {
     z[k] = axis.z;
   }
   for (int k = 0; k < count; ++k) {
-    ChainPose& pose = step.chains.poses[k];
-    const SphereChain& chain = *pose.chain;
+    MultispherePose& pose = step.chains.poses[k];
+    const MultisphereBody& body = *pose.body;
     const Vector3 axis{x[k], y[k], z[k]}, change = axis - pose.axis;
-    const double scale = step.chains.semiaxes[3 * k + 1], half_length = chain.half_length();
-    squares[k] = dot(change, change);
+    const double scale = step.chains.semiaxes[3 * k + 1], half_length = body.half_length();
+    squares[k] = body.is_chain() ? dot(change, change) : turned_squared(pose, q + 4 * k);
     lengths[k] = scale * half_length;
-    growth[k] = std::fabs(scale - pose.scale) * (half_length + chain.largest_radius());
+    growth[k] = std::fabs(scale - pose.scale) * (half_length + body.largest_radius());
     pose.axis.x = axis.x;
     pose.axis.y = axis.y;
     pose.axis.z = axis.z;
+    if (!body.is_chain())
+      pose.second_axis = rotation({q[4 * k], q[4 * k + 1], q[4 * k + 2], q[4 * k + 3]}).column_y;
     pose.scale = scale;
   }
   double* turns = step.motions.turns;
@@ -79,7 +91,7 @@ void measure_motions(const PoseRows& poses, Motions& motions) {
   WidestVersion<measure_loop>::run(rows, motions.count);
 }
 
-void measure_motions(const ChainRows& chains, Motions& motions) {
+void measure_motions(const MultisphereRows& chains, Motions& motions) {
   ChainStep step{chains, motions};
   WidestVersion<measure_chains_loop>::run(step, motions.count);
 }

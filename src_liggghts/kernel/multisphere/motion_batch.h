@@ -41,13 +41,13 @@ struct PoseRows {
 void measure_motions(const PoseRows& poses, Motions& motions);
 
 /// The same of chains of spheres.
-struct ChainRows {
+struct MultisphereRows {
   const double* semiaxes;     ///< 3 each: the second is the chain's scale (length)
   const double* centres;      ///< 3 each (length)
   const double* orientations; ///< 4 each: unit quaternion
   double* last_centres;       ///< a step ago; become `centres`
-  ChainPose* poses;           ///< a step ago; become those of now
+  MultispherePose* poses;     ///< a step ago; become those of now
 };
-void measure_motions(const ChainRows& chains, Motions& motions);
+void measure_motions(const MultisphereRows& chains, Motions& motions);
 
 } // namespace ellipsoid

@@ -2,54 +2,8 @@
 #include "multisphere/multisphere_contact.h"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 
 namespace ellipsoid {
-namespace {
-
-[[noreturn]] void refuse(std::size_t sphere, const char* what) {
-  throw std::invalid_argument("sphere chain: " + std::string(what) + " at sphere " +
-                              std::to_string(sphere) + ": use a chain made by make_multisphere()");
-}
-
-void check(const MultisphereTemplate& geometry) {
-  const std::vector<double>&x = geometry.centres, &r = geometry.radii;
-  if (x.empty() || x.size() != r.size())
-    refuse(0, "no sphere, or as many radii as centres needed");
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    if (!std::isfinite(x[k]) || !std::isfinite(r[k]) || !(r[k] > 0.0))
-      refuse(k, "finite centres and positive radii are needed");
-    if (k > 0 && !(x[k] > x[k - 1]))
-      refuse(k, "centres must ascend");
-  }
-  const double tolerance = concavity_rounding * *std::max_element(r.begin(), r.end());
-  for (std::size_t k = 1; k + 1 < x.size(); ++k) {
-    const double share = (x[k] - x[k - 1]) / (x[k + 1] - x[k - 1]);
-    if (r[k] < r[k - 1] + share * (r[k + 1] - r[k - 1]) - tolerance)
-      refuse(k, "radii must be a concave function of the centres");
-  }
-}
-
-} // namespace
-
-SphereChain::SphereChain(const MultisphereTemplate& geometry)
-    : centres_(geometry.centres), radii_(geometry.radii) {
-  check(geometry);
-  for (int k = 0; k < count(); ++k) {
-    half_length_ = std::fmax(half_length_, std::fabs(centre(k)));
-    largest_radius_ = std::fmax(largest_radius_, radius(k));
-    if (k == 0)
-      continue;
-    const double slope = (radius(k) - radius(k - 1)) / (centre(k) - centre(k - 1));
-    steepest_radius_ = std::fmax(steepest_radius_, std::fabs(slope));
-  }
-}
-
-int SphereChain::first_at_or_after(double x) const {
-  return static_cast<int>(std::lower_bound(centres_.begin(), centres_.end(), x) - centres_.begin());
-}
-
 Vector3 normal_across(const Vector3& axis) {
   return normalized(
       cross(axis, std::fabs(axis.x) < 0.5 ? Vector3{1.0, 0.0, 0.0} : Vector3{0.0, 1.0, 0.0}));
@@ -85,12 +39,12 @@ void clip_line_distance(OuterLine& line, double bound) {
 
 } // namespace
 
-OuterLine outer_line(const ChainPose& outer, const ChainPose& inner, const Vector3& outer_position,
-                     double gap) {
-  const double outer_half = outer.scale * outer.chain->half_length();
-  const double inner_half = inner.scale * inner.chain->half_length();
-  const double radii = outer.scale * outer.chain->largest_radius() +
-                       inner.scale * inner.chain->largest_radius() + gap;
+OuterLine outer_line(const MultispherePose& outer, const MultispherePose& inner,
+                     const Vector3& outer_position, double gap) {
+  const double outer_half = outer.scale * outer.body->half_length();
+  const double inner_half = inner.scale * inner.body->half_length();
+  const double radii =
+      outer.scale * outer.body->largest_radius() + inner.scale * inner.body->largest_radius() + gap;
   const double along_outer = dot(outer_position, outer.axis);
   OuterLine line;
   line.offset = dot(outer_position, inner.axis);
@@ -114,18 +68,34 @@ OuterLine outer_line(const ChainPose& outer, const ChainPose& inner, const Vecto
   return line;
 }
 
+RelativePose relative_pose(const MultispherePose& i, const MultispherePose& j,
+                           const Vector3& centre_distance) {
+  const Rotation3 of_i = orientation_of(i), of_j = orientation_of(j);
+  const double inverse = 1.0 / i.scale, ratio = j.scale * inverse;
+  return {inverse * of_i.to_body(centre_distance), ratio * of_i.to_body(of_j.column_x),
+          ratio * of_i.to_body(of_j.column_y), ratio * of_i.to_body(of_j.column_z), ratio};
+}
+
 } // namespace multisphere_search
 
-ContactCount find_contacts(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance,
-                           std::vector<SphereContact>& contacts) {
+ContactCount find_contacts(const MultispherePose& i, const MultispherePose& j,
+                           const Vector3& centre_distance, std::vector<SphereContact>& contacts) {
   contacts.clear();
   return for_each_contact(i, j, centre_distance,
                           [&](const SphereContact& contact) { contacts.push_back(contact); });
 }
 
-double smallest_gap(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance) {
-  const double half_i = i.scale * i.chain->half_length();
-  const double half_j = j.scale * j.chain->half_length();
+double smallest_gap(const MultispherePose& i, const MultispherePose& j,
+                    const Vector3& centre_distance) {
+  if (!i.body->is_chain() || !j.body->is_chain()) {
+    const SphereTree::Node &root_i = i.body->tree().node(0), &root_j = j.body->tree().node(0);
+    const Vector3 way = centre_distance + (j.scale * orientation_of(j).to_space(root_j.centre) -
+                                           i.scale * orientation_of(i).to_space(root_i.centre));
+    const double radii = i.scale * root_i.radius + j.scale * root_j.radius;
+    return norm(way) - radii - search_rounding * radii;
+  }
+  const double half_i = i.scale * i.body->half_length();
+  const double half_j = j.scale * j.body->half_length();
   const Vector3 normal = cross(i.axis, j.axis);
   const double cosine = dot(i.axis, j.axis), sine_squared = dot(normal, normal);
   const double along_i = dot(centre_distance, i.axis), along_j = dot(centre_distance, j.axis);
@@ -138,8 +108,24 @@ double smallest_gap(const ChainPose& i, const ChainPose& j, const Vector3& centr
   const double y = std::clamp(cosine * x - along_j, -half_j, half_j);
   x = std::clamp(along_i + cosine * y, -half_i, half_i);
   const double axes = norm(centre_distance + (y * j.axis - x * i.axis));
-  const double radii = i.scale * i.chain->largest_radius() + j.scale * j.chain->largest_radius();
+  const double radii = i.scale * i.body->largest_radius() + j.scale * j.body->largest_radius();
   return axes - radii - search_rounding * (half_i + half_j + radii);
+}
+
+double nearest_gap(const MultispherePose& i, const MultispherePose& j,
+                   const Vector3& centre_distance, double limit, int& tested) {
+  double nearest = limit;
+  if (i.body->is_chain() && j.body->is_chain()) {
+    tested += for_each_near_pair(i, j, centre_distance, limit, [&](int, int, double overlap) {
+      nearest = std::fmin(nearest, -overlap);
+    });
+    return nearest;
+  }
+  double within = limit / i.scale; // becomes smaller with every nearer pair
+  tested += for_each_pair_within(i.body->tree(), j.body->tree(),
+                                 multisphere_search::relative_pose(i, j, centre_distance), within,
+                                 [&](int, int, double gap) { within = std::fmin(within, gap); });
+  return i.scale * within;
 }
 
 } // namespace ellipsoid

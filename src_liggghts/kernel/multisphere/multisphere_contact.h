@@ -1,6 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Contacts between two chains of spheres on straight axes.
+// Contacts between two bodies made of spheres: chains on straight axes, or any sets.
 //
 // Conventions (those of ellipsoid_contact.h):
 //  - the normal n points from body i to body j;
@@ -8,7 +8,7 @@
 //  - the contact point lies in the middle of the overlap, relative to the centre of i;
 //  - a pair of spheres touches when |c_l - c_k|^2 < (R_k + R_l)^2: nothing else is a contact.
 //
-// The search. Let the outer chain be the one with fewer spheres.
+// The search of two chains. Let the outer chain be the one with fewer spheres.
 //  (1) Only those of its spheres count whose centre lies within R_max,i + R_max,j of the other
 //      axis' line and within reach of the other chain along both axes: an interval, found in O(1).
 //  (2) Seen from an outer sphere k at axial coordinate t and distance p from the inner axis, inner
@@ -18,12 +18,13 @@
 //      its neighbours without gaps. The walk starts where the previous k ended.
 //  (3) The maximum changes by at most (1 + steepest radius) per length along the outer axis, so a
 //      gap of g allows to skip all k within g / (1 + steepest radius).
+// Where one of the bodies is no chain, their trees are walked together (sphere_tree.h).
 // All bounds are widened by `search_rounding`, so no contact can be lost to rounding; the pairs
 // left are tested exactly.
 #pragma once
 
 #include "math/vector3.h"
-#include "multisphere/multisphere_template.h"
+#include "multisphere/multisphere_body.h"
 
 #include <cmath>
 #include <vector>
@@ -33,7 +34,6 @@ namespace ellipsoid {
 /// Widening of the search bounds, relative to the extent of the pair: they are sums of a few
 /// products, good to about 1e-15, and chains are concave to `concavity_rounding`.
 constexpr double search_rounding = 1e-11;
-constexpr double concavity_rounding = 1e-14; ///< relative to the largest radius
 
 /// Up to so many pairs of spheres are all tested: quicker than any search (3 by 3).
 constexpr int direct_search_limit = 9;
@@ -42,35 +42,6 @@ constexpr int direct_search_limit = 9;
 /// than this per unit length: keeps the quotient's rounding far below `search_interval_rounding`.
 constexpr double search_smallest_slope = 1e-4;
 constexpr double search_interval_rounding = 1e-7; ///< search_rounding / slope, with a margin
-
-/// A chain prepared for the search. Built once per template, shared by all its particles.
-class SphereChain {
- public:
-  /// @throws std::invalid_argument centres not ascending, radii not positive or not a concave
-  ///         function of the centres (every chain of make_multisphere() is)
-  explicit SphereChain(const MultisphereTemplate& geometry);
-
-  int count() const { return static_cast<int>(centres_.size()); }
-  double centre(int k) const { return centres_[static_cast<std::size_t>(k)]; }
-  double radius(int k) const { return radii_[static_cast<std::size_t>(k)]; }
-  double half_length() const { return half_length_; } ///< largest |centre| (length)
-  double largest_radius() const { return largest_radius_; }
-  double steepest_radius() const { return steepest_radius_; } ///< largest |dR/dx| of neighbours
-
-  /// Smallest index whose centre is >= x; count() if there is none.
-  int first_at_or_after(double x) const;
-
- private:
-  std::vector<double> centres_, radii_;
-  double half_length_ = 0.0, largest_radius_ = 0.0, steepest_radius_ = 0.0;
-};
-
-/// One body: a chain, the direction of its axis, and its size relative to the chain's.
-struct ChainPose {
-  const SphereChain* chain = nullptr;
-  Vector3 axis{1.0, 0.0, 0.0}; ///< unit: the body's x axis in space
-  double scale = 1.0;          ///< particle's length / chain's length
-};
 
 struct SphereContact {
   int sphere_i = 0, sphere_j = 0;
@@ -86,21 +57,15 @@ struct ContactCount {
   int tested = 0; ///< distances between spheres computed: potential contacts (figure 18)
 };
 
-/// One sphere of a chain, in lengths of the chain.
-struct ChainSphere {
+/// One sphere of a body in space.
+struct PlacedSphere {
   int number;
-  double centre, radius;
+  Vector3 centre; ///< from the body's centre (length)
+  double radius;  ///< (length)
 };
 
-inline ChainSphere sphere(const SphereChain& chain, int k) {
-  return {k, chain.centre(k), chain.radius(k)};
-}
-
-/// From the centre of sphere k of i to that of sphere l of j (length).
-inline Vector3 sphere_distance(const ChainPose& i, const ChainPose& j,
-                               const Vector3& centre_distance, double centre_k, double centre_l) {
-  // This order of operations changes only its sign when i and j are swapped.
-  return centre_distance + ((j.scale * centre_l) * j.axis - (i.scale * centre_k) * i.axis);
+inline PlacedSphere placed(const SphereCentres& spheres, int k) {
+  return {k, spheres.at(k), spheres.radius(k)};
 }
 
 /// Coinciding centres have no normal of their own: any direction across the axis of i will do.
@@ -108,24 +73,25 @@ Vector3 normal_across(const Vector3& axis);
 
 /// Tests one pair of spheres.
 /// @param[in] centre_distance x_j - x_i (length)
+/// @param[in] axis_i of body i
 /// @return whether they touch; `contact` is complete then, untouched otherwise
-inline bool touch(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance,
-                  const ChainSphere& k, const ChainSphere& l, SphereContact& contact) {
-  const Vector3 distance = sphere_distance(i, j, centre_distance, k.centre, l.centre);
-  const double radius_k = i.scale * k.radius, radius_l = j.scale * l.radius;
-  const double sum = radius_k + radius_l, squared = dot(distance, distance);
+inline bool touch(const Vector3& axis_i, const Vector3& centre_distance, const PlacedSphere& k,
+                  const PlacedSphere& l, SphereContact& contact) {
+  // This order of operations changes only its sign when i and j are swapped.
+  const Vector3 distance = centre_distance + (l.centre - k.centre);
+  const double sum = k.radius + l.radius, squared = dot(distance, distance);
   if (!(squared < sum * sum))
     return false;
   const double length = std::sqrt(squared), overlap = sum - length;
-  const Vector3 normal = length > 0.0 ? (1.0 / length) * distance : normal_across(i.axis);
+  const Vector3 normal = length > 0.0 ? (1.0 / length) * distance : normal_across(axis_i);
   contact.sphere_i = k.number;
   contact.sphere_j = l.number;
   contact.normal = normal;
   contact.overlap = overlap;
-  contact.point = (i.scale * k.centre) * i.axis + (radius_k - 0.5 * overlap) * normal;
-  contact.reduced_radius = radius_k * radius_l / sum;
-  contact.radius_i = radius_k;
-  contact.radius_j = radius_l;
+  contact.point = k.centre + (k.radius - 0.5 * overlap) * normal;
+  contact.reduced_radius = k.radius * l.radius / sum;
+  contact.radius_i = k.radius;
+  contact.radius_j = l.radius;
   return true;
 }
 
@@ -153,21 +119,21 @@ struct OuterLine {
 
 /// @param[in] outer_position outer centre - inner centre (length)
 /// @param[in] gap spheres count that are closer than this (length)
-OuterLine outer_line(const ChainPose& outer, const ChainPose& inner, const Vector3& outer_position,
-                     double gap);
+OuterLine outer_line(const MultispherePose& outer, const MultispherePose& inner,
+                     const Vector3& outer_position, double gap);
 
 /// Inner sphere near axial coordinate t: where the first walk starts.
-inline int inner_start(const ChainPose& inner, double t) {
-  const int l = inner.chain->first_at_or_after(t / inner.scale);
-  return l < inner.chain->count() ? l : l - 1;
+inline int inner_start(const MultispherePose& inner, double t) {
+  const int l = inner.body->first_at_or_after(t / inner.scale);
+  return l < inner.body->count() ? l : l - 1;
 }
 
 /// The inner chain seen from one outer sphere.
 class InnerView {
  public:
-  InnerView(const ChainPose& inner, double radius, double t, double p2, int& tested)
-      : chain_(*inner.chain), scale_(inner.scale), radius_(radius), t_(t), p2_(p2),
-        tested_(tested) {}
+  InnerView(const MultispherePose& inner, double radius, double t, double p2, int& tested)
+      : chain_(*inner.body), scale_(inner.scale), radius_(radius), t_(t), p2_(p2), tested_(tested) {
+  }
 
   double overlap(int l) const {
     ++tested_;
@@ -196,7 +162,7 @@ class InnerView {
     return l != start;
   }
 
-  const SphereChain& chain_;
+  const MultisphereBody& chain_;
   double scale_, radius_, t_, p2_;
   int& tested_;
 };
@@ -205,13 +171,13 @@ class InnerView {
 /// the overlap is negative between spheres apart, and good to search_rounding.
 /// @param[out] tested is increased by the number of distances computed
 template <class Visit>
-void for_each_candidate(const ChainPose& outer, const ChainPose& inner,
+void for_each_candidate(const MultispherePose& outer, const MultispherePose& inner,
                         const Vector3& outer_position, double gap, int& tested,
                         const Visit& visit) {
   const OuterLine line = outer_line(outer, inner, outer_position, gap);
   if (line.centres.low > line.centres.high)
     return;
-  const SphereChain& chain = *outer.chain;
+  const MultisphereBody& chain = *outer.body;
   const double margin = search_rounding * line.extent, least = -gap - margin;
   const double length_per_gap = 1.0 / (1.0 + chain.steepest_radius());
   int k = chain.first_at_or_after(line.centres.low / outer.scale);
@@ -232,7 +198,7 @@ void for_each_candidate(const ChainPose& outer, const ChainPose& inner,
       double next;
       for (int l = nearest - 1; l >= 0 && (next = view.overlap(l)) > least; --l)
         visit(k - 1, l, next);
-      for (int l = nearest + 1; l < inner.chain->count() && (next = view.overlap(l)) > least; ++l)
+      for (int l = nearest + 1; l < inner.body->count() && (next = view.overlap(l)) > least; ++l)
         visit(k - 1, l, next);
       continue;
     }
@@ -240,6 +206,20 @@ void for_each_candidate(const ChainPose& outer, const ChainPose& inner,
     while (k < chain.count() && outer.scale * chain.centre(k) < skipped)
       ++k;
   }
+}
+
+/// Body j seen from body i.
+RelativePose relative_pose(const MultispherePose& i, const MultispherePose& j,
+                           const Vector3& centre_distance);
+
+/// Of bodies that are no chains both.
+template <class Visit>
+int for_each_near_pair_of_trees(const MultispherePose& i, const MultispherePose& j,
+                                const Vector3& centre_distance, double gap, const Visit& visit) {
+  const double extent = i.scale * i.body->reach() + j.scale * j.body->reach() + gap;
+  const double within = (gap + search_rounding * extent) / i.scale;
+  return for_each_pair_within(i.body->tree(), j.body->tree(), relative_pose(i, j, centre_distance),
+                              within, [&](int k, int l, double g) { visit(k, l, -i.scale * g); });
 }
 
 } // namespace multisphere_search
@@ -250,19 +230,20 @@ void for_each_candidate(const ChainPose& outer, const ChainPose& inner,
 /// @param[in] gap >= 0 (length)
 /// @return how many distances between spheres were computed
 template <class Visit>
-int for_each_near_pair(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance,
-                       double gap, const Visit& visit) {
+int for_each_near_pair(const MultispherePose& i, const MultispherePose& j,
+                       const Vector3& centre_distance, double gap, const Visit& visit) {
   int tested = 0;
-  if (i.chain->count() * j.chain->count() <= direct_search_limit) {
-    for (int k = 0; k < i.chain->count(); ++k)
-      for (int l = 0; l < j.chain->count(); ++l) {
-        const Vector3 distance =
-            sphere_distance(i, j, centre_distance, i.chain->centre(k), j.chain->centre(l));
-        visit(k, l, i.scale * i.chain->radius(k) + j.scale * j.chain->radius(l) - norm(distance));
-      }
-    return i.chain->count() * j.chain->count();
+  if (i.body->count() * j.body->count() <= direct_search_limit) {
+    const SphereCentres of_i(i), of_j(j);
+    for (int k = 0; k < i.body->count(); ++k)
+      for (int l = 0; l < j.body->count(); ++l)
+        visit(k, l,
+              of_i.radius(k) + of_j.radius(l) - norm(centre_distance + (of_j.at(l) - of_i.at(k))));
+    return i.body->count() * j.body->count();
   }
-  if (i.chain->count() <= j.chain->count())
+  if (!i.body->is_chain() || !j.body->is_chain())
+    return multisphere_search::for_each_near_pair_of_trees(i, j, centre_distance, gap, visit);
+  if (i.body->count() <= j.body->count())
     multisphere_search::for_each_candidate(i, j, -centre_distance, gap, tested, visit);
   else
     multisphere_search::for_each_candidate(
@@ -274,12 +255,13 @@ int for_each_near_pair(const ChainPose& i, const ChainPose& j, const Vector3& ce
 /// Calls on_contact(const SphereContact&) for every touching pair of spheres. No allocation.
 /// @param[in] centre_distance x_j - x_i (length)
 template <class OnContact>
-ContactCount for_each_contact(const ChainPose& i, const ChainPose& j,
+ContactCount for_each_contact(const MultispherePose& i, const MultispherePose& j,
                               const Vector3& centre_distance, OnContact&& on_contact) {
   ContactCount count;
   SphereContact contact;
+  const SphereCentres of_i(i), of_j(j);
   count.tested = for_each_near_pair(i, j, centre_distance, 0.0, [&](int k, int l, double) {
-    if (!touch(i, j, centre_distance, sphere(*i.chain, k), sphere(*j.chain, l), contact))
+    if (!touch(i.axis, centre_distance, placed(of_i, k), placed(of_j, l), contact))
       return;
     ++count.contacts;
     on_contact(static_cast<const SphereContact&>(contact));
@@ -288,13 +270,21 @@ ContactCount for_each_contact(const ChainPose& i, const ChainPose& j,
 }
 
 /// The same, into a vector that is cleared first (it allocates only while its capacity grows).
-ContactCount find_contacts(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance,
-                           std::vector<SphereContact>& contacts);
+ContactCount find_contacts(const MultispherePose& i, const MultispherePose& j,
+                           const Vector3& centre_distance, std::vector<SphereContact>& contacts);
 
-/// Lower bound of the distance between the two bodies: that of their capsules (axis segments with
-/// the largest radius). Positive: proof that no spheres touch (length). Negative values are good to
-/// 1e-7 of the bodies' lengths where nearly parallel axes meet.
-double smallest_gap(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance);
+/// Lower bound of the distance between the two bodies. Of chains that of their capsules (axis
+/// segments with the largest radius), of others that of their bounding spheres. Positive: proof
+/// that no spheres touch (length). Negative values are good to 1e-7 of the bodies' lengths where
+/// nearly parallel axes meet.
+double smallest_gap(const MultispherePose& i, const MultispherePose& j,
+                    const Vector3& centre_distance);
+
+/// Distance between the nearest two spheres of the bodies, or `limit` where none are nearer
+/// (length); good to search_rounding.
+/// @param[out] tested is increased by the number of distances computed
+double nearest_gap(const MultispherePose& i, const MultispherePose& j,
+                   const Vector3& centre_distance, double limit, int& tested);
 
 /// What becomes of several simultaneous contacts of one pair of particles (or particle and wall).
 enum class MulticontactRule {

@@ -4,14 +4,22 @@
 #include <algorithm>
 
 namespace ellipsoid {
+namespace {
+
+double abscissa(const MultispherePose& pose, int k) {
+  return pose.body->is_chain() ? pose.body->centre(k) : 0.0;
+}
+
+} // namespace
 
 void NearSpheres::restart(std::size_t pairs) {
   of_pairs_.assign(pairs, OfPair());
   spheres_.assign(1, SpherePair()); // the first place of pairs that have none
 }
 
-NearSpheres::Search NearSpheres::search(std::size_t pair, const ChainPose& i, const ChainPose& j,
-                                        const Vector3& centre_distance, double gap) {
+NearSpheres::Search NearSpheres::search(std::size_t pair, const MultispherePose& i,
+                                        const MultispherePose& j, const Vector3& centre_distance,
+                                        double gap) {
   OfPair& of_pair = of_pairs_[pair];
   of_pair.count = 0;
   of_pair.until = {0.0, 0.0};
@@ -20,24 +28,20 @@ NearSpheres::Search NearSpheres::search(std::size_t pair, const ChainPose& i, co
     return {usable_share * bound, 0};
   double nearest = gap;
   int tested = find(i, j, centre_distance, gap);
-  if (found_.empty()) {
-    nearest = second_reach * gap;
-    tested += for_each_near_pair(
-        i, j, centre_distance, second_reach * gap,
-        [&](int, int, double overlap) { nearest = std::fmin(nearest, -overlap); });
-  }
+  if (found_.empty())
+    nearest = nearest_gap(i, j, centre_distance, second_reach * gap, tested);
   keep_found(pair);
   return {usable_share * nearest, tested};
 }
 
 /// @return how many distances between spheres were computed
-int NearSpheres::find(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance,
-                      double gap) {
+int NearSpheres::find(const MultispherePose& i, const MultispherePose& j,
+                      const Vector3& centre_distance, double gap) {
   found_.clear();
   return for_each_near_pair(i, j, centre_distance, gap, [&](int k, int l, double overlap) {
     if (overlap > -gap)
-      found_.push_back({i.chain->centre(k), j.chain->centre(l), i.chain->radius(k),
-                        j.chain->radius(l), static_cast<short>(k), static_cast<short>(l), -1});
+      found_.push_back({abscissa(i, k), abscissa(j, l), i.body->radius(k), j.body->radius(l),
+                        static_cast<short>(k), static_cast<short>(l), -1});
   });
 }
 

@@ -1,6 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Which pairs of spheres of two neighbouring chains have to be tested in a time step.
+// Which pairs of spheres of two neighbouring bodies have to be tested in a time step.
 //
 // A search (multisphere_contact.h) finds all pairs of spheres closer than a gap. Until both bodies
 // may have come closer by that much (motion_clocks.h), no other pair of spheres can touch, and a
@@ -20,7 +20,8 @@ class NearSpheres {
  public:
   /// One pair of spheres to test.
   struct SpherePair {
-    double centre_i, centre_j, radius_i, radius_j; ///< in lengths of the chains
+    double centre_i, centre_j; ///< of chains: abscissae, in lengths of the template
+    double radius_i, radius_j; ///< in lengths of the template
     short sphere_i, sphere_j;
     short slot; ///< of its history; -1: none (the caller's)
   };
@@ -55,7 +56,7 @@ class NearSpheres {
   /// without slot, in ascending order.
   /// @param[in] centre_distance x_j - x_i (length)
   /// @param[in] gap > 0: spheres closer than this are to be tested (length)
-  Search search(std::size_t pair, const ChainPose& i, const ChainPose& j,
+  Search search(std::size_t pair, const MultispherePose& i, const MultispherePose& j,
                 const Vector3& centre_distance, double gap);
 
   /// Spheres to test, ordered by sphere_i, then sphere_j.
@@ -69,13 +70,18 @@ class NearSpheres {
   /// Finds all spheres to test that touch, in their order.
   /// @param[out] touching has room for all from begin() to end()
   /// @return how many touch
-  int find_touching(std::size_t pair, const ChainPose& i, const ChainPose& j,
+  int find_touching(std::size_t pair, const MultispherePose& i, const MultispherePose& j,
                     const Vector3& centre_distance, Touching* touching) {
     int count = 0;
+    const bool are_chains = i.body->is_chain() && j.body->is_chain();
+    const SphereCentres of_i(i), of_j(j);
     for (SpherePair *s = begin(pair), *last = end(pair); s != last; ++s) {
       touching[count].spheres = s;
-      count += touch(i, j, centre_distance, {s->sphere_i, s->centre_i, s->radius_i},
-                     {s->sphere_j, s->centre_j, s->radius_j}, touching[count].contact);
+      const int k = s->sphere_i, l = s->sphere_j;
+      const Vector3 centre_k = are_chains ? (i.scale * s->centre_i) * i.axis : of_i.at(k);
+      const Vector3 centre_l = are_chains ? (j.scale * s->centre_j) * j.axis : of_j.at(l);
+      count += touch(i.axis, centre_distance, {k, centre_k, i.scale * s->radius_i},
+                     {l, centre_l, j.scale * s->radius_j}, touching[count].contact);
     }
     return count;
   }
@@ -90,7 +96,8 @@ class NearSpheres {
   std::vector<SpherePair> spheres_;
   std::vector<SpherePair> found_;
 
-  int find(const ChainPose& i, const ChainPose& j, const Vector3& centre_distance, double gap);
+  int find(const MultispherePose& i, const MultispherePose& j, const Vector3& centre_distance,
+           double gap);
   void keep_found(std::size_t pair);
 };
 

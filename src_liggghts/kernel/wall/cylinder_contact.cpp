@@ -61,16 +61,16 @@ void find_cylinder_contacts(const EllipsoidBody& body, const Cylinder& cylinder,
     add(farthest.normal[static_cast<std::size_t>(k)]);
 }
 
-void find_cylinder_contacts(const ChainPose& pose, const Cylinder& cylinder,
+void find_cylinder_contacts(const MultispherePose& pose, const Cylinder& cylinder,
                             std::vector<WallContact>& contacts) {
   contacts.clear();
   const Vector3 to_axis = way_to_axis(cylinder);
   const Side side = side_of(cylinder, to_axis);
-  const Vector3 across = pose.axis - dot(pose.axis, cylinder.axis) * cylinder.axis;
-  for (int k = 0; k < pose.chain->count(); ++k) {
-    const double place = pose.scale * pose.chain->centre(k);
-    const double radius = pose.scale * pose.chain->radius(k);
-    const Vector3 from_axis = place * across - to_axis;
+  const SphereCentres spheres(pose);
+  for (int k = 0; k < pose.body->count(); ++k) {
+    const Vector3 centre = spheres.at(k);
+    const double radius = spheres.radius(k);
+    const Vector3 from_axis = centre - part_along(centre, cylinder.axis) - to_axis;
     const double distance = norm(from_axis);
     const double overlap = side == Side::inside ? radius + distance - cylinder.radius
                                                 : radius + cylinder.radius - distance;
@@ -78,8 +78,8 @@ void find_cylinder_contacts(const ChainPose& pose, const Cylinder& cylinder,
       continue;
     WallContact c;
     c.normal = ((side == Side::inside ? 1.0 : -1.0) / distance) * from_axis;
-    c.foot = place * pose.axis + (radius - overlap) * c.normal;
-    c.point = place * pose.axis + (radius - 0.5 * overlap) * c.normal;
+    c.foot = centre + (radius - overlap) * c.normal;
+    c.point = centre + (radius - 0.5 * overlap) * c.normal;
     c.overlap = overlap;
     c.reduced_radius = reduced_radius(radius, radius, cylinder.radius, side);
     c.sphere = k;

@@ -34,7 +34,7 @@ void find_cylinder_contacts(const EllipsoidBody& body, const Cylinder& cylinder,
                             std::vector<WallContact>& contacts);
 
 /// Every sphere of the chain that reaches into the wall; `contacts` is cleared first.
-void find_cylinder_contacts(const ChainPose& pose, const Cylinder& cylinder,
+void find_cylinder_contacts(const MultispherePose& pose, const Cylinder& cylinder,
                             std::vector<WallContact>& contacts);
 
 } // namespace ellipsoid

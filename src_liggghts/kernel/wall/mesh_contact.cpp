@@ -258,19 +258,22 @@ void find_mesh_contacts(const EllipsoidBody& body, const std::vector<Triangle>& 
   add_contacts(body, Vector3{}, extent(body), triangles, same_surface, contacts);
 }
 
-void find_mesh_contacts(const ChainPose& pose, const std::vector<Triangle>& triangles,
+void find_mesh_contacts(const MultispherePose& pose, const std::vector<Triangle>& triangles,
                         const SameSurface& same_surface, std::vector<TriangleContact>& contacts) {
   contacts.clear();
-  const SphereChain& chain = *pose.chain;
-  const double size = pose.scale * (chain.half_length() + chain.largest_radius());
-  for (int k = 0; k < chain.count(); ++k) {
+  const MultisphereBody& spheres = *pose.body;
+  const SphereCentres centres(pose);
+  const double size = pose.scale * (spheres.half_length() + spheres.largest_radius());
+  for (int k = 0; k < spheres.count(); ++k) {
     SphereBody body;
-    body.centre = (pose.scale * chain.centre(k)) * pose.axis;
-    body.radius = pose.scale * chain.radius(k);
+    body.centre = centres.at(k);
+    body.radius = centres.radius(k);
     body.number = k;
-    body.beyond_wall = std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
-      return crosses(t, {}, body.centre, 0.0, 1.0);
-    });
+    // Of a body with a hollow the way from its centre may pass a wall outside of it.
+    body.beyond_wall = spheres.is_seen_from_origin(k) &&
+                       std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+                         return crosses(t, {}, body.centre, 0.0, 1.0);
+                       });
     add_contacts(body, body.beyond_wall ? Vector3{} : body.centre, size, triangles, same_surface,
                  contacts);
   }

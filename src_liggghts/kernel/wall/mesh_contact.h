@@ -37,7 +37,7 @@ void find_mesh_contacts(const EllipsoidBody& body, const std::vector<Triangle>& 
                         const SameSurface& same_surface, std::vector<TriangleContact>& contacts);
 
 /// Contacts of the spheres of a chain, in the order of the spheres.
-void find_mesh_contacts(const ChainPose& pose, const std::vector<Triangle>& triangles,
+void find_mesh_contacts(const MultispherePose& pose, const std::vector<Triangle>& triangles,
                         const SameSurface& same_surface, std::vector<TriangleContact>& contacts);
 
 /// Whether a corner of one triangle lies on the other (within `margin`, length).

@@ -20,7 +20,7 @@ void find_plane_contacts(const EllipsoidBody& body, const PlaneWall& plane,
                          std::vector<WallContact>& contacts);
 
 /// Every sphere of the chain that reaches into the wall; `contacts` is cleared first.
-void find_plane_contacts(const ChainPose& pose, const PlaneWall& plane,
+void find_plane_contacts(const MultispherePose& pose, const PlaneWall& plane,
                          std::vector<WallContact>& contacts);
 
 } // namespace ellipsoid

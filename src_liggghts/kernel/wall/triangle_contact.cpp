@@ -182,14 +182,12 @@ double smallest_gap(const EllipsoidBody& body, const Triangle& t) {
   return distance > 0.0 ? distance - support(body.shape, near) / distance : 0.0;
 }
 
-double smallest_gap(const ChainPose& pose, const Triangle& t) {
+double smallest_gap(const MultispherePose& pose, const Triangle& t) {
   const Vector3 near = nearest_point(t, {});
   const double distance = norm(near);
   if (!(distance > 0.0))
     return 0.0;
-  const double along_axis = std::fabs(dot(pose.axis, near)) / distance;
-  return distance -
-         pose.scale * (along_axis * pose.chain->half_length() + pose.chain->largest_radius());
+  return distance - largest_reach(pose, (1.0 / distance) * near);
 }
 
 TriangleContact find_growing_contact(const EllipsoidBody& body, const Triangle& t, double& growth) {

@@ -98,7 +98,7 @@ template <class Body> bool reaches(const Body& body, const Triangle& triangle) {
 /// Lower bound of the distance between body and triangle (length): that along the way from the
 /// body's centre to the nearest point of the triangle.
 double smallest_gap(const EllipsoidBody& body, const Triangle& triangle);
-double smallest_gap(const ChainPose& pose, const Triangle& triangle);
+double smallest_gap(const MultispherePose& pose, const Triangle& triangle);
 
 /// Largest distance of the body's points from its own centre (length).
 double extent(const EllipsoidBody& body);
