@@ -81,7 +81,7 @@ const std::vector<UnsuitedStyles>& unsuited_styles() {
        {"particletemplate/multiplespheres", "particletemplate/multisphere"},
        "makes bodies of several particles; use 'fix ID GROUP particletemplate/ellipsoid SEED "
        "semiaxes "
-       "a b b density D subspheres N'"},
+       "a b b density D subspheres N', or 'clump FILE' in place of 'semiaxes' and 'subspheres'"},
       // --- made by the host itself
       {"fix",
        {"contacthistory", "contacthistory/mesh", "contactproperty/atom",

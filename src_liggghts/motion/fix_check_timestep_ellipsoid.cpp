@@ -95,9 +95,23 @@ double FixCheckTimestepEllipsoid::smallest_mass2_over_radius(int i, bool multisp
   const ellipsoid::Vector3 inertia = vector(atom->inertia[i]);
   if (!multisphere)
     return ellipsoid::smallest_mass2_over_radius(vector(atom->shape[i]), mass, inertia);
-  const ellipsoid::ChainPose pose = chains_->make_pose(i);
-  return ellipsoid::smallest_mass2_over_radius(*pose.chain, pose.scale, mass,
-                                               std::min(inertia.y, inertia.z));
+  const ellipsoid::MultispherePose pose = chains_->make_pose(i);
+  return ellipsoid::smallest_mass2_over_radius(*pose.body, pose.scale, mass, inertia);
+}
+
+/// Of the shortest semi-axis; of a clump of its smallest sphere.
+double FixCheckTimestepEllipsoid::rayleigh_time(int i, bool multisphere, double shear_modulus,
+                                                double ratio) {
+  const ellipsoid::Vector3 axes = vector(atom->shape[i]);
+  double radius = std::min({axes.x, axes.y, axes.z}), volume = ellipsoid::volume(axes);
+  if (multisphere) {
+    const ellipsoid::MultispherePose pose = chains_->make_pose(i);
+    if (!pose.body->is_chain()) {
+      radius = pose.scale * pose.body->smallest_radius();
+      volume = atom->volume[i];
+    }
+  }
+  return ellipsoid::rayleigh_time(radius, atom->rmass[i] / volume, shear_modulus, ratio);
 }
 
 void FixCheckTimestepEllipsoid::measure() {
@@ -110,14 +124,11 @@ void FixCheckTimestepEllipsoid::measure() {
     if (!(atom->mask[i] & groupbit))
       continue;
     const int type = atom->type[i];
-    const ellipsoid::Vector3 axes = vector(atom->shape[i]);
     const double ratio = poissons_ratio_->get_values()[type - 1];
     const double shear_modulus = youngs_modulus_->get_values()[type - 1] / (2.0 * (1.0 + ratio));
-    mine[0] = std::min(mine[0], ellipsoid::rayleigh_time(std::min({axes.x, axes.y, axes.z}),
-                                                         atom->rmass[i] / ellipsoid::volume(axes),
-                                                         shear_modulus, ratio));
-    const double modulus = effective_modulus(type);
     const bool multisphere = subspheres && subspheres->vector_atom[i] > 0.0;
+    mine[0] = std::min(mine[0], rayleigh_time(i, multisphere, shear_modulus, ratio));
+    const double modulus = effective_modulus(type);
     mine[1] = std::min(mine[1], smallest_mass2_over_radius(i, multisphere) / (modulus * modulus));
     mine[2] = std::min(
         mine[2], -(norm(vector(atom->v[i])) + norm(vector(atom->omega[i])) * atom->radius[i]));

@@ -46,6 +46,7 @@ class FixCheckTimestepEllipsoid : public Fix {
   void check_material() const;
   /// E* of a particle of this type with the stiffest partner.
   double effective_modulus(int type) const;
+  double rayleigh_time(int i, bool multisphere, double shear_modulus, double ratio);
   double smallest_mass2_over_radius(int i, bool multisphere);
   void measure();
   void report(int which, const std::string& of_what) const;

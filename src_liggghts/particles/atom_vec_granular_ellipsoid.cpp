@@ -7,8 +7,10 @@
 #include "ellipsoid_host.h"
 #include "error.h"
 #include "fix_check_particles_ellipsoid.h"
+#include "fix_clumps_ellipsoid.h"
 #include "fix_property_atom.h"
 #include "motion/rigid_body.h"
+#include "multisphere/clump_template.h"
 #include "multisphere/multisphere_template.h"
 #include "multisphere_particles.h"
 #include "whole_number.h"
@@ -77,6 +79,7 @@ AtomVecGranularEllipsoid::AtomVecGranularEllipsoid(LAMMPS* lmp) : AtomVecSuperqu
 
 void AtomVecGranularEllipsoid::init() {
   AtomVecSuperquadric::init();
+  FixClumpsEllipsoid::make_sure(lmp);
   FixCheckParticlesEllipsoid::make_sure(lmp);
 }
 
@@ -88,9 +91,9 @@ void AtomVecGranularEllipsoid::expect_data_words(int words) {
 void AtomVecGranularEllipsoid::read_subspheres(int i, char** values) {
   const char* id = values[0];
   subspheres_[i] = {
-      small_integer(error, values[smooth_columns], ellipsoid::largest_sphere_count, "N", id),
+      small_integer(error, values[smooth_columns], ellipsoid::largest_set_count, "N", id),
       small_integer(error, values[smooth_columns + 1],
-                    static_cast<int>(ellipsoid::SphereSpacing::paper_touching), "spacing", id)};
+                    ellipsoid::clump_spacing + ellipsoid::largest_clump_number, "spacing", id)};
 }
 
 void AtomVecGranularEllipsoid::finish_data() {
@@ -141,6 +144,8 @@ void AtomVecGranularEllipsoid::data_atom(double* position, tagint image, char** 
   atom->density[i] = atom->rmass[i] / atom->volume[i];
   if (size_data_atom == data_columns)
     read_subspheres(i, values);
+  if (subspheres_.count(i) > 0 && subspheres_[i][1] > ellipsoid::clump_spacing)
+    atom->radius[i] = norm(axes); // holds any clump; its own is found when the run begins
 }
 
 void AtomVecGranularEllipsoid::data_vel(int i, char** values) {

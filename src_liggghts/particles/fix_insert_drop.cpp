@@ -5,11 +5,13 @@
 #include "atom_vec.h"
 #include "comm.h"
 #include "domain.h"
-#include "ellipsoid/ellipsoid_contact.h"
 #include "ellipsoid_host.h"
 #include "error.h"
+#include "fix_clumps_ellipsoid.h"
+#include "fix_property_atom.h"
 #include "insertion/counter_random.h"
 #include "modify.h"
+#include "multisphere_particles.h"
 #include "update.h"
 
 #include <cmath>
@@ -56,7 +58,14 @@ void FixInsertDrop::parse(int narg, char** arg) {
       seed_ = reader.integer(keyword, 1, MAXSMALLINT - 1);
       has_seed = true;
     } else if (keyword == "template") {
-      parse_template(reader);
+      const std::string name = reader.word(keyword);
+      const int index = modify->find_fix(name.c_str());
+      template_ =
+          index < 0 ? nullptr : dynamic_cast<FixParticletemplateEllipsoid*>(modify->fix[index]);
+      if (!template_)
+        reader.complain(
+            "keyword 'template' has the value '" + name +
+            "', allowed is the id of a fix particletemplate/ellipsoid; define it first");
     } else if (keyword == "particles") {
       particles_ = reader.integer(keyword, 1, MAXSMALLINT - 1);
     } else if (keyword == "interval") {
@@ -84,15 +93,6 @@ void FixInsertDrop::parse(int narg, char** arg) {
                                            : nullptr;
   if (missing)
     reader.complain(std::string("a keyword is missing; add '") + missing + "'");
-}
-
-void FixInsertDrop::parse_template(ellipsoid_host::ArgumentReader& reader) {
-  const std::string name = reader.word("template");
-  const int index = modify->find_fix(name.c_str());
-  template_ = index < 0 ? nullptr : dynamic_cast<FixParticletemplateEllipsoid*>(modify->fix[index]);
-  if (!template_)
-    reader.complain("keyword 'template' has the value '" + name +
-                    "', allowed is the id of a fix particletemplate/ellipsoid; define it first");
 }
 
 int FixInsertDrop::setmask() { return INITIAL_INTEGRATE | PRE_EXCHANGE; }
@@ -195,10 +195,24 @@ bool FixInsertDrop::is_mine(const double* x) const {
   return true;
 }
 
+/// Clumps are their spheres, all other particles smooth ellipsoids.
+ellipsoid::SolidBody FixInsertDrop::solid_body(const ellipsoid::Vector3& centre,
+                                               const double* semiaxes, const double* quaternion,
+                                               int spacing) const {
+  if (spacing <= ellipsoid::clump_spacing)
+    return ellipsoid::smooth_body(centre, vector(semiaxes), ellipsoid_host::quaternion(quaternion));
+  const FixClumpsEllipsoid& clumps = *FixClumpsEllipsoid::find(modify);
+  ellipsoid::MultispherePose pose;
+  pose.body = clumps.body(spacing, clumps.clump(spacing).spheres.count(), semiaxes);
+  turn(pose, ellipsoid::rotation(ellipsoid_host::quaternion(quaternion)));
+  pose.scale = semiaxes[1];
+  return ellipsoid::multisphere_body(centre, pose);
+}
+
 /// True on all ranks when no particle of any rank touches the new one.
 bool FixInsertDrop::place_is_free(const ParticleToInsertEllipsoid& p) const {
-  const auto shape =
-      ellipsoid::make_shape(vector(p.shape_ins), ellipsoid_host::quaternion(p.quat_ins));
+  const ellipsoid::SolidBody body = solid_body({}, p.shape_ins, p.quat_ins, p.spacing);
+  const FixPropertyAtom* spacing = ellipsoid_host::subsphere_properties(modify)[1];
   int touching = 0;
   for (int i = 0; i < atom->nlocal && !touching; ++i) {
     ellipsoid::Vector3 distance = vector(atom->x[i]) - vector(p.x_ins[0]);
@@ -206,9 +220,8 @@ bool FixInsertDrop::place_is_free(const ParticleToInsertEllipsoid& p) const {
     const double reach = atom->radius[i] + p.r_bound_ins;
     if (dot(distance, distance) >= reach * reach)
       continue;
-    const auto other = ellipsoid::make_shape(vector(atom->shape[i]),
-                                             ellipsoid_host::quaternion(atom->quaternion[i]));
-    touching = find_contact(shape, other, distance).status != ellipsoid::ContactStatus::separated;
+    const int number = spacing ? static_cast<int>(std::lround(spacing->vector_atom[i])) : 0;
+    touching = overlap(body, solid_body(distance, atom->shape[i], atom->quaternion[i], number));
   }
   int touching_anywhere = 0;
   MPI_Allreduce(&touching, &touching_anywhere, 1, MPI_INT, MPI_MAX, world);

@@ -12,6 +12,7 @@ FixStyle(insert/drop,FixInsertDrop)
 #include "fix.h"
 #include "fix_particletemplate_ellipsoid.h"
 #include "host_variants.h"
+#include "insertion/solid_body.h"
 
 namespace LAMMPS_NS {
 
@@ -53,7 +54,6 @@ class FixInsertDrop : public Fix {
   double next_try_ = -1.0; // time of it, for a drop whose place was taken; else -1
 
   void parse(int narg, char** arg);
-  void parse_template(ellipsoid_host::ArgumentReader& reader);
   void restart_by_steps(const char* buffer);
   void follow_time_step(bigint last_step);
   void check_interval();
@@ -61,6 +61,8 @@ class FixInsertDrop : public Fix {
   void schedule();
   void draw(ParticleToInsertEllipsoid& particle) const;
   bool is_mine(const double* position) const;
+  ellipsoid::SolidBody solid_body(const ellipsoid::Vector3& centre, const double* semiaxes,
+                                  const double* quaternion, int spacing) const;
   bool place_is_free(const ParticleToInsertEllipsoid& particle) const;
   void insert(ParticleToInsertEllipsoid& particle);
 };

@@ -5,12 +5,12 @@
 #include "ellipsoid/ellipsoid_properties.h"
 #include "ellipsoid_host.h"
 #include "error.h"
-#include "fix_property_atom.h"
+#include "fix_clumps_ellipsoid.h"
 #include "force.h"
-#include "insertion_space.h"
 #include "math_extra_liggghts.h"
 #include "memory.h"
 #include "modify.h"
+#include "multisphere/ellipsoid_spheres.h"
 #include "multisphere_particles.h"
 #include "random_park.h"
 #include "whole_number.h"
@@ -61,41 +61,6 @@ class BaseArguments {
 
 } // namespace
 
-int ParticleToInsertEllipsoid::check_near_set_x_v_omega(double* x, double* v, double* omega,
-                                                        double* quat,
-                                                        RegionNeighborList<interpolate_no>& near) {
-  if (has_orientation)
-    store(orientation, quat);
-  if (!ellipsoid_host::asks_for_room(this))
-    return ParticleToInsertSuperquadric::check_near_set_x_v_omega(x, v, omega, quat, near);
-  if (!ellipsoid_host::take_place(*this, x, quat))
-    return 0;
-  // for templates of the host
-  near.insert_superquadric(x, radius_ins[0], quat, shape_ins, blockiness_ins);
-  return ParticleToInsertSuperquadric::set_x_v_omega(x, v, omega, quat);
-}
-
-int ParticleToInsertEllipsoid::set_x_v_omega(double* x, double* v, double* omega, double* quat) {
-  if (has_orientation)
-    store(orientation, quat);
-  return ParticleToInsertSuperquadric::set_x_v_omega(x, v, omega, quat);
-}
-
-int ParticleToInsertEllipsoid::insert() {
-  const int inserted = ParticleToInsertSuperquadric::insert();
-  if (subspheres == 0)
-    return inserted;
-  const std::pair<const char*, double> values[] = {{"subspheres", static_cast<double>(subspheres)},
-                                                   {"spacing", static_cast<double>(spacing)}};
-  for (const auto& value : values) {
-    auto* fix = static_cast<FixPropertyAtom*>(modify->find_fix_property(
-        value.first, "property/atom", "scalar", 0, 0, "fix particletemplate/ellipsoid"));
-    for (int i = atom->nlocal - inserted; i < atom->nlocal; ++i)
-      fix->vector_atom[i] = value.second;
-  }
-  return inserted;
-}
-
 FixParticletemplateEllipsoid::FixParticletemplateEllipsoid(LAMMPS* lmp, int narg, char** arg)
     : FixTemplateSphere(lmp, BaseArguments(lmp, narg, arg).count(),
                         BaseArguments(lmp, narg, arg).words()) {
@@ -116,6 +81,16 @@ FixParticletemplateEllipsoid::~FixParticletemplateEllipsoid() {
 void FixParticletemplateEllipsoid::post_create() {
   if (stores_subspheres_)
     ellipsoid_host::make_subsphere_properties(modify);
+  if (!body_.clump())
+    return;
+  const double size = semiaxes_.y / body_.clump()->semiaxes.y; // coarse graining
+  clump_number_ = FixClumpsEllipsoid::find_or_make(modify)->add(
+      id, *body_.clump(), (1.0 / (mass_ * size * size)) * principal_moments_);
+}
+
+/// What particles have as their spacing.
+int FixParticletemplateEllipsoid::spacing_number() const {
+  return body_.clump() ? ellipsoid::clump_spacing + clump_number_ : static_cast<int>(spacing_);
 }
 
 void FixParticletemplateEllipsoid::parse(int narg, char** arg) {
@@ -151,13 +126,20 @@ void FixParticletemplateEllipsoid::parse(int narg, char** arg) {
       } catch (const std::invalid_argument& problem) {
         reader.complain("keyword 'spacing': " + std::string(problem.what()));
       }
+    } else if (keyword == "clump") {
+      clump_file_ = reader.word(keyword);
+    } else if (keyword == "clump_scale") {
+      clump_scale_ = reader.positive(keyword);
+    } else if (keyword == "write_clump") {
+      written_file_ = reader.word(keyword);
     } else if (keyword == "volume_limit") {
       vol_limit = reader.positive(keyword);
     } else {
       reader.complain(
           "unknown keyword '" + keyword +
           "', allowed are 'atom_type', 'semiaxes', 'vary', 'density', 'mass', 'inertia', "
-          "'orientation', 'subspheres', 'spacing', 'volume_limit'");
+          "'orientation', 'subspheres', 'spacing', 'clump', 'clump_scale', 'write_clump', "
+          "'volume_limit'");
     }
   }
   finish(has_semiaxes, has_moments);
@@ -209,8 +191,11 @@ ellipsoid::Vector3 FixParticletemplateEllipsoid::varied(Value value_of) const {
 }
 
 void FixParticletemplateEllipsoid::finish(bool has_semiaxes, bool has_moments) {
-  if (!has_semiaxes)
-    error->fix_error(FLERR, this, "keyword 'semiaxes' is missing; add 'semiaxes a b c'");
+  if (!clump_file_.empty())
+    make_clump(has_semiaxes, has_moments);
+  else if (!has_semiaxes)
+    error->fix_error(FLERR, this,
+                     "keyword 'semiaxes' is missing; add 'semiaxes a b c', or 'clump FILE'");
   if ((density_ > 0.0) == (mass_ > 0.0))
     error->fix_error(
         FLERR, this,
@@ -221,25 +206,51 @@ void FixParticletemplateEllipsoid::finish(bool has_semiaxes, bool has_moments) {
         "keyword 'vary' does not go with 'mass' or 'inertia', which belong to one size; "
         "use 'density'");
   semiaxes_ *= force->cg(atom_type);
-  volume_expect = ellipsoid::volume(semiaxes_);
+  volume_expect = body_.volume(semiaxes_);
   for (const Variation& variation : variations_)
     volume_expect *= variation.factor.moment(
         static_cast<int>(std::count(variation.axes.begin(), variation.axes.end(), true)));
   if (density_ > 0.0)
-    mass_ = density_ * ellipsoid::volume(semiaxes_);
+    mass_ = density_ * body_.volume(semiaxes_);
   else
-    density_ = mass_ / ellipsoid::volume(semiaxes_);
+    density_ = mass_ / body_.volume(semiaxes_);
   mass_expect = density_ * volume_expect;
   using ellipsoid::SizeDistribution;
   const auto smallest = varied([](const SizeDistribution& d) { return d.smallest(); });
   const auto largest = varied([](const SizeDistribution& d) { return d.largest(); });
-  smallest_bounding_radius_ = ellipsoid::bounding_radius(smallest);
-  largest_bounding_radius_ = ellipsoid::bounding_radius(largest);
+  smallest_bounding_radius_ = body_.bounding_radius(smallest);
+  largest_bounding_radius_ = body_.bounding_radius(largest);
   if (!has_moments)
-    principal_moments_ = ellipsoid::principal_moments(semiaxes_, mass_);
+    principal_moments_ = body_.principal_moments(semiaxes_, mass_);
   check_moments();
-  if (subspheres_ > 0)
+  if (subspheres_ > 0 && !body_.clump())
     check_multisphere();
+}
+
+void FixParticletemplateEllipsoid::make_clump(bool has_semiaxes, bool has_moments) {
+  const auto complain = [this](const std::string& what) {
+    error->fix_error(FLERR, this, ("keyword 'clump': " + what).c_str());
+  };
+  if (has_semiaxes || stores_subspheres_)
+    complain("it has its spheres from the file; leave 'semiaxes' and 'subspheres' out");
+  for (const Variation& variation : variations_)
+    if (!(variation.axes[0] && variation.axes[1] && variation.axes[2]))
+      complain("a clump keeps its shape; use 'vary all'");
+  try {
+    body_.read_clump(lmp, clump_file_, clump_scale_);
+    if (!has_moments && !body_.clump()->is_principal)
+      complain("the file says that its frame is the body's, and the centre of mass and the "
+               "principal axes of its spheres are others; give 'inertia', or leave the comment '" +
+               std::string(ellipsoid::body_frame_mark) + "' out");
+    if (!written_file_.empty())
+      body_.write_clump(lmp, written_file_,
+                        "clump of fix particletemplate/ellipsoid '" + std::string(id) + "'");
+  } catch (const std::invalid_argument& problem) {
+    complain(problem.what());
+  }
+  semiaxes_ = body_.clump()->semiaxes;
+  subspheres_ = body_.clump()->spheres.count();
+  stores_subspheres_ = true;
 }
 
 void FixParticletemplateEllipsoid::check_moments() const {
@@ -252,18 +263,39 @@ void FixParticletemplateEllipsoid::check_moments() const {
 }
 
 std::string FixParticletemplateEllipsoid::sphere_chain() const {
+  if (body_.clump())
+    return "clump " + std::to_string(clump_number_);
   return subspheres_ == 0
              ? "no subspheres"
              : "subspheres " + std::to_string(subspheres_) + " spacing " + word_of(spacing_);
+}
+
+/// The particles of all extreme sizes must have their spheres.
+void FixParticletemplateEllipsoid::check_planar_multisphere() const {
+  const std::size_t corners = std::size_t{1} << std::min<std::size_t>(variations_.size(), 6);
+  for (std::size_t corner = 0; corner < corners; ++corner) {
+    std::size_t bits = corner;
+    const auto axes = varied([&bits](const ellipsoid::SizeDistribution& factor) {
+      const bool is_large = bits % 2 == 1;
+      bits /= 2;
+      return is_large ? factor.largest() : factor.smallest();
+    });
+    ellipsoid::make_ellipsoid_spheres(axes, subspheres_, spacing_);
+  }
 }
 
 /// Both the most and the least elongated particle must have a chain.
 void FixParticletemplateEllipsoid::check_multisphere() const {
   using ellipsoid::SizeDistribution;
   try {
+    if (ellipsoid::is_planar(spacing_)) {
+      check_planar_multisphere();
+      return;
+    }
     if (semiaxes_.y != semiaxes_.z)
-      throw std::invalid_argument("the semi-axes b and c differ, multi-spheres need b = c; use "
-                                  "equal ones, or 'surface smooth' without 'subspheres'");
+      throw std::invalid_argument(
+          "the semi-axes b and c differ, chains need b = c; use equal ones, "
+          "or 'spacing medial' or 'minimax_volume'");
     double longest = semiaxes_.x / semiaxes_.y, shortest = longest;
     for (const Variation& variation : variations_) {
       if (variation.axes[1] != variation.axes[2])
@@ -288,17 +320,16 @@ void FixParticletemplateEllipsoid::fill(ParticleToInsertEllipsoid& p,
                                         const std::function<double()>& uniform) const {
   const ellipsoid::Vector3 axes =
       varied([&uniform](const ellipsoid::SizeDistribution& d) { return d.draw(uniform()); });
-  const double volume = ellipsoid::volume(axes);
+  const double volume = body_.volume(axes);
   const bool one_size = variations_.empty(); // its mass and moments may be given
   p.atom_type = atom_type;
-  p.radius_ins[0] = p.r_bound_ins = ellipsoid::bounding_radius(axes);
+  p.radius_ins[0] = p.r_bound_ins = body_.bounding_radius(axes);
   p.density_ins = density_;
   p.volume_ins = volume;
-  p.area_ins = ellipsoid::surface_area(axes);
+  p.area_ins = body_.surface_area(axes);
   p.mass_ins = one_size ? mass_ : density_ * volume;
   store(axes, p.shape_ins);
-  store(one_size ? principal_moments_ : ellipsoid::principal_moments(axes, p.mass_ins),
-        p.inertia_ins);
+  store(one_size ? principal_moments_ : body_.principal_moments(axes, p.mass_ins), p.inertia_ins);
   p.blockiness_ins[0] = p.blockiness_ins[1] = 2.0;
   store(ellipsoid::Vector3{}, p.x_ins[0]);
   store(ellipsoid::Vector3{}, p.v_ins);
@@ -306,7 +337,7 @@ void FixParticletemplateEllipsoid::fill(ParticleToInsertEllipsoid& p,
   p.groupbit = groupbit;
   p.source = const_cast<FixParticletemplateEllipsoid*>(this);
   p.subspheres = subspheres_;
-  p.spacing = spacing_;
+  p.spacing = spacing_number();
 }
 
 void FixParticletemplateEllipsoid::randomize(ParticleToInsertEllipsoid& p) {
@@ -356,7 +387,7 @@ unsigned int FixParticletemplateEllipsoid::generate_hash() {
   for (const double value : {semiaxes_.x, semiaxes_.y, semiaxes_.z, mass_, principal_moments_.x,
                              principal_moments_.y, principal_moments_.z})
     add_hash_value(value, start, hash);
-  for (const int value : {static_cast<int>(planar_), subspheres_, static_cast<int>(spacing_)})
+  for (const int value : {static_cast<int>(planar_), subspheres_, spacing_number()})
     add_hash_value(value, start, hash);
   for (const Variation& variation : variations_) {
     for (const bool axis : variation.axes)

@@ -13,7 +13,8 @@ FixStyle(particletemplate/ellipsoid,FixParticletemplateEllipsoid)
 #include "insertion/size_distribution.h"
 #include "math/vector3.h"
 #include "multisphere/multisphere_template.h"
-#include "particleToInsertSuperquadric.h"
+#include "particle_to_insert_ellipsoid.h"
+#include "template_body.h"
 
 #include <array>
 #include <functional>
@@ -25,22 +26,6 @@ class ArgumentReader;
 }
 
 namespace LAMMPS_NS {
-
-/// A particle to insert whose orientation may be its template's, not the inserting fix's.
-class ParticleToInsertEllipsoid : public ParticleToInsertSuperquadric {
- public:
-  explicit ParticleToInsertEllipsoid(class LAMMPS* lmp) : ParticleToInsertSuperquadric(lmp) {}
-  int check_near_set_x_v_omega(double* x, double* v, double* omega, double* quat,
-                               RegionNeighborList<interpolate_no>& near) override;
-  int set_x_v_omega(double* x, double* v, double* omega, double* quat) override;
-  int insert() override;
-
-  class Fix* source = nullptr; ///< its template
-  int subspheres = 0;          ///< N of a multi-sphere particle, 0: smooth
-  ellipsoid::SphereSpacing spacing = ellipsoid::SphereSpacing::paper;
-  bool has_orientation = false; ///< use `orientation`, whatever the inserting fix says
-  ellipsoid::Quaternion orientation;
-};
 
 class FixParticletemplateEllipsoid : public FixTemplateSphere {
  public:
@@ -82,6 +67,10 @@ class FixParticletemplateEllipsoid : public FixTemplateSphere {
   int subspheres_ = 0;  // N of multi-sphere particles, 0: smooth
   bool stores_subspheres_ = false;
   ellipsoid::SphereSpacing spacing_ = ellipsoid::SphereSpacing::paper;
+  ellipsoid_host::TemplateBody body_;
+  std::string clump_file_, written_file_; // empty: none
+  double clump_scale_ = 1.0;
+  int clump_number_ = 0; // from 1; 0: no clump
 
   void parse(int narg, char** arg);
   void parse_variation(ellipsoid_host::ArgumentReader& reader);
@@ -89,6 +78,9 @@ class FixParticletemplateEllipsoid : public FixTemplateSphere {
   void check_moments() const;
   void finish(bool has_semiaxes, bool has_moments);
   void check_multisphere() const;
+  void check_planar_multisphere() const;
+  void make_clump(bool has_semiaxes, bool has_moments);
+  int spacing_number() const;
   void randomize(ParticleToInsertEllipsoid& particle);
 };
 

@@ -4,8 +4,10 @@
 #include "atom.h"
 #include "ellipsoid_host.h"
 #include "error.h"
+#include "fix_clumps_ellipsoid.h"
 #include "fix_property_atom.h"
 #include "modify.h"
+#include "multisphere/ellipsoid_spheres.h"
 #include "multisphere/motion_batch.h"
 #include "multisphere/near_spheres.h"
 #include "neighbor.h"
@@ -29,6 +31,14 @@ constexpr double aspect_resolution = 1e-12;
 FixPropertyAtom* per_atom(Modify* modify, const char* name) {
   return static_cast<FixPropertyAtom*>(modify->find_fix_property(name, "property/atom", "scalar", 0,
                                                                  0, "surface multisphere", false));
+}
+
+/// @throws std::invalid_argument there are none
+const FixClumpsEllipsoid& clumps(Modify* modify) {
+  const FixClumpsEllipsoid* found = FixClumpsEllipsoid::find(modify);
+  if (!found)
+    throw std::invalid_argument("it is a clump, and there are none; give their templates first");
+  return *found;
 }
 
 constexpr const char* property_names[2] = {"subspheres", "spacing"};
@@ -59,24 +69,33 @@ void MultisphereParticles::find_properties() {
                "fix particletemplate/ellipsoid, or fix property/atom subspheres");
 }
 
-const ellipsoid::SphereChain* MultisphereParticles::chain(const double* semiaxes, int count,
-                                                          int spacing) {
-  const double aspect = semiaxes[0] / semiaxes[1];
-  auto& entry = chains_[Key(std::llround(aspect / aspect_resolution), count, spacing)];
+const ellipsoid::MultisphereBody* MultisphereParticles::body(const double* semiaxes, int count,
+                                                             int spacing) {
+  if (spacing > ellipsoid::clump_spacing)
+    return clumps(modify).body(spacing, count, semiaxes);
+  const double aspect = semiaxes[0] / semiaxes[1], flatness = semiaxes[2] / semiaxes[1];
+  auto& entry = bodies_[Key(std::llround(aspect / aspect_resolution),
+                            std::llround(flatness / aspect_resolution), count, spacing)];
   if (entry)
     return entry.get();
+  const auto placed = static_cast<ellipsoid::SphereSpacing>(spacing);
+  if (ellipsoid::is_planar(placed)) {
+    entry.reset(new ellipsoid::MultisphereBody(
+        ellipsoid::make_ellipsoid_spheres({aspect, 1.0, flatness}, count, placed)));
+    return entry.get();
+  }
   if (semiaxes[1] != semiaxes[2])
-    throw std::invalid_argument("the semi-axes b and c differ; multi-spheres need b = c");
-  entry.reset(new ellipsoid::SphereChain(
-      make_multisphere(aspect, 1.0, count, static_cast<ellipsoid::SphereSpacing>(spacing))));
+    throw std::invalid_argument("the semi-axes b and c differ; chains need b = c, spacings medial "
+                                "and minimax_volume do not");
+  entry.reset(new ellipsoid::MultisphereBody(make_multisphere(aspect, 1.0, count, placed)));
   return entry.get();
 }
 
-const ellipsoid::SphereChain* MultisphereParticles::chain(int i) {
+const ellipsoid::MultisphereBody* MultisphereParticles::body(int i) {
   const int count = static_cast<int>(std::lround(subspheres_->vector_atom[i]));
   const int spacing = spacing_ ? static_cast<int>(std::lround(spacing_->vector_atom[i])) : 0;
   try {
-    return chain(atom->shape[i], count, spacing);
+    return body(atom->shape[i], count, spacing);
   } catch (const std::invalid_argument& problem) {
     error->one(FLERR,
                ("surface multisphere, atom " + std::to_string(atom->tag[i]) + ": " + problem.what())
@@ -85,29 +104,29 @@ const ellipsoid::SphereChain* MultisphereParticles::chain(int i) {
   return nullptr;
 }
 
-ellipsoid::ChainPose MultisphereParticles::make_pose(const double* semiaxes,
-                                                     const double* quaternion, int count,
-                                                     int spacing) {
-  ellipsoid::ChainPose pose;
-  pose.chain = chain(semiaxes, count, spacing);
-  pose.axis = ellipsoid::rotation(ellipsoid_host::quaternion(quaternion)).column_x;
+ellipsoid::MultispherePose MultisphereParticles::make_pose(const double* semiaxes,
+                                                           const double* quaternion, int count,
+                                                           int spacing) {
+  ellipsoid::MultispherePose pose;
+  pose.body = body(semiaxes, count, spacing);
+  turn(pose, ellipsoid::rotation(ellipsoid_host::quaternion(quaternion)));
   pose.scale = semiaxes[1];
   return pose;
 }
 
-void MultisphereParticles::place(int i, ellipsoid::ChainPose& pose) const {
-  pose.axis = ellipsoid::rotation(quaternion(atom->quaternion[i])).column_x;
+void MultisphereParticles::place(int i, ellipsoid::MultispherePose& pose) const {
+  turn(pose, ellipsoid::rotation(quaternion(atom->quaternion[i])));
   pose.scale = atom->shape[i][1];
 }
 
-ellipsoid::ChainPose MultisphereParticles::make_pose(int i) {
-  ellipsoid::ChainPose pose;
-  pose.chain = chain(i);
+ellipsoid::MultispherePose MultisphereParticles::make_pose(int i) {
+  ellipsoid::MultispherePose pose;
+  pose.body = body(i);
   place(i, pose);
   return pose;
 }
 
-/// Which chain a particle has is looked up when the neighbour lists are new: only then particles
+/// Which body a particle has is looked up when the neighbour lists are new: only then particles
 /// come and go, on all ranks at once.
 bool MultisphereParticles::update() {
   const auto count = static_cast<std::size_t>(atom->nlocal + atom->nghost);
@@ -135,7 +154,7 @@ void MultisphereParticles::begin_lists(std::size_t count) {
   const double time_step = lmp->update->dt;
   for (std::size_t i = 0; i < count; ++i) {
     poses_[i] = make_pose(static_cast<int>(i));
-    const double half_length = poses_[i].scale * poses_[i].chain->half_length();
+    const double half_length = poses_[i].scale * poses_[i].body->half_length();
     clocks_.expect(i, {time_step * vector(atom->v[i]),
                        time_step * half_length * norm(vector(atom->omega[i]))});
   }

@@ -1,6 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// The chains of spheres of all particles.
+// The spheres of all particles: chains, or clumps.
 #ifndef ELLIPSOID_MULTISPHERE_PARTICLES_H
 #define ELLIPSOID_MULTISPHERE_PARTICLES_H
 
@@ -27,9 +27,9 @@ SubsphereProperties subsphere_properties(LAMMPS_NS::Modify* modify);
 /// The same, made where missing. They go with the atoms to other ranks and restart files.
 SubsphereProperties make_subsphere_properties(LAMMPS_NS::Modify* modify);
 
-/// Which chain a particle has is stored per atom: fix property/atom `subspheres` (N) and `spacing`
-/// (the number of SphereSpacing; all 0 if that fix is missing). Particles of equal aspect ratio,
-/// N and spacing share one chain.
+/// Which body a particle has is stored per atom: fix property/atom `subspheres` (N) and `spacing`
+/// (the number of SphereSpacing, or of a clump; all 0 if that fix is missing). Particles of equal
+/// aspect ratios, N and spacing share their spheres, particles of a clump its spheres.
 class MultisphereParticles : private LAMMPS_NS::Pointers {
  public:
   explicit MultisphereParticles(LAMMPS_NS::LAMMPS* lmp) : Pointers(lmp) {}
@@ -38,31 +38,34 @@ class MultisphereParticles : private LAMMPS_NS::Pointers {
   /// @return whether the neighbour lists are new: what is remembered of particles is to be
   /// forgotten
   bool update();
-  const ellipsoid::ChainPose& pose(int i) const { return poses_[static_cast<std::size_t>(i)]; }
+  const ellipsoid::MultispherePose& pose(int i) const {
+    return poses_[static_cast<std::size_t>(i)];
+  }
   ellipsoid::MotionClocks& clocks() { return clocks_; }
   /// For make_pose() without update(): to be called once per time step.
   void find_properties();
   /// Pose of one owned particle.
-  ellipsoid::ChainPose make_pose(int i);
+  ellipsoid::MultispherePose make_pose(int i);
   /// Pose of a particle that may be no atom.
-  /// @throws std::invalid_argument these semi-axes have no such chain
-  ellipsoid::ChainPose make_pose(const double* semiaxes, const double* quaternion, int count,
-                                 int spacing);
+  /// @throws std::invalid_argument these semi-axes have no such body
+  ellipsoid::MultispherePose make_pose(const double* semiaxes, const double* quaternion, int count,
+                                       int spacing);
 
  private:
-  using Key = std::tuple<long long, int, int>; // aspect ratio in units of 1e-12, N, spacing
-  std::map<Key, std::unique_ptr<ellipsoid::SphereChain>> chains_;
-  std::vector<ellipsoid::ChainPose> poses_;
+  /// a/b and c/b in units of 1e-12, N, spacing
+  using Key = std::tuple<long long, long long, int, int>;
+  std::map<Key, std::unique_ptr<ellipsoid::MultisphereBody>> bodies_;
+  std::vector<ellipsoid::MultispherePose> poses_;
   std::vector<double> centres_; // at the last update: 3 numbers each
   ellipsoid::MotionClocks clocks_;
   LAMMPS_NS::FixPropertyAtom* subspheres_ = nullptr;
   LAMMPS_NS::FixPropertyAtom* spacing_ = nullptr;
 
-  const ellipsoid::SphereChain* chain(int i);
-  const ellipsoid::SphereChain* chain(const double* semiaxes, int count, int spacing);
+  const ellipsoid::MultisphereBody* body(int i);
+  const ellipsoid::MultisphereBody* body(const double* semiaxes, int count, int spacing);
   void begin_lists(std::size_t count);
   void move();
-  void place(int i, ellipsoid::ChainPose& pose) const;
+  void place(int i, ellipsoid::MultispherePose& pose) const;
 };
 
 } // namespace ellipsoid_host

@@ -4,7 +4,11 @@
 #include "atom.h"
 #include "domain.h"
 #include "error.h"
+#include "fix_property_atom.h"
 #include "lammps.h"
+#include "modify.h"
+#include "multisphere/clump_template.h"
+#include "multisphere_particles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +21,8 @@ namespace {
 
 constexpr double unit_length_tolerance = 1e-6; // of the quaternion's square; as for data files
 constexpr double moments_tolerance = 1e-6;     // relative; a plate's lie on the bound
-constexpr double radius_tolerance = 1e-3;      // relative; `set ... shape` takes 1e-4 more
+constexpr double rounding = 1e-12;
+constexpr double radius_tolerance = 1e-3; // relative; `set ... shape` takes 1e-4 more
 // What create_atoms makes of every particle.
 constexpr double created_radius = 0.5, created_density = 1.0;
 
@@ -41,9 +46,17 @@ bool are_moments(const double* m) {
   return all_positive(m, 3) && largest <= (sum - largest) * (1.0 + moments_tolerance);
 }
 
-bool bounds(double radius, const double* axes) {
+/// That of a clump lies between the longest of its semi-axes and the corner of their box; fix
+/// clumps/ellipsoid keeps it.
+bool bounds(double radius, const double* axes, bool is_clump) {
   const double longest = std::max({axes[0], axes[1], axes[2]});
-  return radius >= longest && radius <= longest * (1.0 + radius_tolerance);
+  const double largest = is_clump ? std::hypot(axes[0], axes[1], axes[2]) : longest;
+  return radius >= longest * (1.0 - rounding) && radius <= largest * (1.0 + radius_tolerance);
+}
+
+bool is_clump(const LAMMPS& lmp, int i) {
+  const FixPropertyAtom* spacing = ellipsoid_host::subsphere_properties(lmp.modify)[1];
+  return spacing && spacing->vector_atom[i] > ellipsoid::clump_spacing;
 }
 
 /// As create_atoms leaves it, in a box that holds no such thing.
@@ -72,11 +85,13 @@ void check(const LAMMPS& lmp, const char* caller, int i, const Demand& demand) {
 }
 
 /// The cheap question for all.
-bool is_sound(const Atom& atom, int i) {
+bool is_sound(const LAMMPS& lmp, int i) {
+  const Atom& atom = *lmp.atom;
   return all_positive(atom.shape[i], 3) && atom.rmass[i] > 0.0 && std::isfinite(atom.rmass[i]) &&
          are_moments(atom.inertia[i]) && is_unit(atom.quaternion[i]) &&
          atom.blockiness[i][0] == 2.0 && atom.blockiness[i][1] == 2.0 &&
-         bounds(atom.radius[i], atom.shape[i]);
+         (bounds(atom.radius[i], atom.shape[i], false) ||
+          bounds(atom.radius[i], atom.shape[i], is_clump(lmp, i)));
 }
 
 bool moves_finitely(const Atom& atom, int i) {
@@ -111,7 +126,7 @@ void complain_of_body(const LAMMPS& lmp, const char* caller, int i) {
          "allowed is 2 2, that of ellipsoids; use 'fix particletemplate/ellipsoid'",
          atom.blockiness[i], 2});
   check(lmp, caller, i,
-        {bounds(atom.radius[i], atom.shape[i]), "the bounding radius",
+        {bounds(atom.radius[i], atom.shape[i], is_clump(lmp, i)), "the bounding radius",
          "allowed is the largest of its semi-axes; give 'set ... shape a b c', or use 'fix "
          "particletemplate/ellipsoid'",
          &atom.radius[i], 1});
@@ -124,7 +139,7 @@ namespace ellipsoid_host {
 void check_particles(LAMMPS* lmp, const char* caller) {
   const Atom& atom = *lmp->atom;
   for (int i = 0; i < atom.nlocal; ++i) {
-    if (!is_sound(atom, i))
+    if (!is_sound(*lmp, i))
       complain_of_body(*lmp, caller, i);
     if (is_unshaped(atom, *lmp->domain, i))
       check(*lmp, caller, i,
