@@ -58,14 +58,7 @@ void FixInsertDrop::parse(int narg, char** arg) {
       seed_ = reader.integer(keyword, 1, MAXSMALLINT - 1);
       has_seed = true;
     } else if (keyword == "template") {
-      const std::string name = reader.word(keyword);
-      const int index = modify->find_fix(name.c_str());
-      template_ =
-          index < 0 ? nullptr : dynamic_cast<FixParticletemplateEllipsoid*>(modify->fix[index]);
-      if (!template_)
-        reader.complain(
-            "keyword 'template' has the value '" + name +
-            "', allowed is the id of a fix particletemplate/ellipsoid; define it first");
+      parse_template(reader);
     } else if (keyword == "particles") {
       particles_ = reader.integer(keyword, 1, MAXSMALLINT - 1);
     } else if (keyword == "interval") {
@@ -93,6 +86,15 @@ void FixInsertDrop::parse(int narg, char** arg) {
                                            : nullptr;
   if (missing)
     reader.complain(std::string("a keyword is missing; add '") + missing + "'");
+}
+
+void FixInsertDrop::parse_template(ellipsoid_host::ArgumentReader& reader) {
+  const std::string name = reader.word("template");
+  const int index = modify->find_fix(name.c_str());
+  template_ = index < 0 ? nullptr : dynamic_cast<FixParticletemplateEllipsoid*>(modify->fix[index]);
+  if (!template_)
+    reader.complain("keyword 'template' has the value '" + name +
+                    "', allowed is the id of a fix particletemplate/ellipsoid; define it first");
 }
 
 int FixInsertDrop::setmask() { return INITIAL_INTEGRATE | PRE_EXCHANGE; }

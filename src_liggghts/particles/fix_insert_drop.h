@@ -54,6 +54,7 @@ class FixInsertDrop : public Fix {
   double next_try_ = -1.0; // time of it, for a drop whose place was taken; else -1
 
   void parse(int narg, char** arg);
+  void parse_template(ellipsoid_host::ArgumentReader& reader);
   void restart_by_steps(const char* buffer);
   void follow_time_step(bigint last_step);
   void check_interval();

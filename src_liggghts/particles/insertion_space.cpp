@@ -246,40 +246,56 @@ bool take_place(const ParticleToInsertEllipsoid& particle, const double* centre,
   return present_space()->take(particle, centre, quaternion);
 }
 
-void report_missing(LAMMPS* lmp, Fix* insertion, ParticleToInsert** list, int placed, int wanted,
-                    bool once) {
-  if (!lmp->force->pair_match("gran/ellipsoid", 1))
-    return;
+namespace {
+
+/// Particles of one template, on all ranks.
+struct TemplateCount {
+  int placed, wanted;
+};
+
+/// In the order of the fixes; 0 of those that are no template.
+std::vector<TemplateCount> counts_by_template(LAMMPS* lmp, ParticleToInsert** list, int placed,
+                                              int wanted) {
   const Modify& modify = *lmp->modify;
-  // placed, then wanted, of each template
   const auto templates = static_cast<std::size_t>(modify.nfix);
-  std::vector<int> mine(2 * templates), all(2 * templates);
+  std::vector<TemplateCount> mine(templates), all(templates);
   for (int k = 0; k < wanted; ++k) {
     const auto* particle = dynamic_cast<ParticleToInsertEllipsoid*>(list[k]);
     for (std::size_t t = 0; particle && t < templates; ++t)
       if (particle->source == modify.fix[t]) {
-        mine[t] += k < placed;
-        ++mine[templates + t];
+        mine[t].placed += k < placed;
+        ++mine[t].wanted;
       }
   }
-  MPI_Allreduce(mine.data(), all.data(), static_cast<int>(all.size()), MPI_INT, MPI_SUM,
+  MPI_Allreduce(mine.data(), all.data(), static_cast<int>(2 * templates), MPI_INT, MPI_SUM,
                 lmp->world);
-  double sums[2] = {0.0, 0.0};
-  for (std::size_t t = 0; t < templates; ++t) {
-    sums[0] += all[t];
-    sums[1] += all[templates + t];
+  return all;
+}
+
+} // namespace
+
+void report_missing(LAMMPS* lmp, Fix* insertion, ParticleToInsert** list, int placed, int wanted,
+                    bool once) {
+  if (!lmp->force->pair_match("gran/ellipsoid", 1))
+    return;
+  const std::vector<TemplateCount> counts = counts_by_template(lmp, list, placed, wanted);
+  double all_placed = 0.0, all_wanted = 0.0;
+  for (const TemplateCount& count : counts) {
+    all_placed += count.placed;
+    all_wanted += count.wanted;
   }
-  if (sums[0] >= sums[1])
+  if (all_placed >= all_wanted)
     return;
   std::string missing;
   bool other_composition = false;
-  for (std::size_t t = 0; t < templates; ++t) {
-    const int found = all[t], sought = all[templates + t];
+  for (std::size_t t = 0; t < counts.size(); ++t) {
+    const auto [found, sought] = counts[t];
     if (sought == 0)
       continue;
     missing += (missing.empty() ? "" : ", ") + std::to_string(found) + " of " +
-               std::to_string(sought) + " of template '" + modify.fix[t]->id + "'";
-    other_composition = other_composition || std::fabs(found - sought * sums[0] / sums[1]) > 1.0;
+               std::to_string(sought) + " of template '" + lmp->modify->fix[t]->id + "'";
+    other_composition =
+        other_composition || std::fabs(found - sought * all_placed / all_wanted) > 1.0;
   }
   const std::string message = std::string("Fix ") + insertion->style + " (id " + insertion->id +
                               "): no room for all particles, placed were " + missing +
