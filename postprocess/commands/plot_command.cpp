@@ -33,10 +33,13 @@ void plot_columns(const PlotOptions& options) {
   if (options.columns.x.empty() || options.columns.y.empty())
     throw InputError(options.what + ": give the columns, --x and --y");
   const bool is_map = options.what == "map";
+  if (is_map && !options.columns.margin.empty())
+    throw InputError("map: margins are for curves, leave --margin out");
   if (is_map && options.columns.value.empty())
     throw InputError("map: give the column of the colours, --value");
   std::vector<std::string> numbers = options.columns.y;
   numbers.push_back(options.columns.x);
+  numbers.insert(numbers.end(), options.columns.margin.begin(), options.columns.margin.end());
   const Table table = read_csv_files(options.files, numbers);
   constexpr int usual_width = 900; // pixels
   const int width = options.width > 0 ? options.width : usual_width;
@@ -86,6 +89,10 @@ void add_plot_command(CLI::App& program, int& exit_code) {
       ->check(CLI::IsMember(known_words()));
   command->add_option("--x", options->columns.x, "column of the abscissa");
   command->add_option("--y", options->columns.y, "columns of the ordinate, with commas")
+      ->delimiter(',');
+  command
+      ->add_option("--margin", options->columns.margin,
+                   "columns of the margins of --y, in its order (curve)")
       ->delimiter(',');
   command->add_option("--group", options->columns.group, "column that tells curves apart");
   command->add_option("--value", options->columns.value, "column of the colours of a map");

@@ -143,8 +143,13 @@ std::string label_of_key(const std::string& key) {
 
 Chart curve_chart(const Table& table, const TableChart& what) {
   require(table, what.x);
-  for (const std::string& key : what.y)
-    require(table, key);
+  if (what.margin.size() > what.y.size())
+    throw InputError(
+        fmt::format("{} columns of margins for {} of curves; give at most one for each",
+                    what.margin.size(), what.y.size()));
+  for (const std::vector<std::string>& keys : {what.y, what.margin})
+    for (const std::string& key : keys)
+      require(table, key);
   if (!what.group.empty())
     require(table, what.group);
   Chart chart;
@@ -152,11 +157,14 @@ Chart curve_chart(const Table& table, const TableChart& what) {
   chart.x_label = label_of_key(what.x);
   chart.y_label = what.y.size() == 1 ? label_of_key(what.y.front()) : "";
   std::map<std::string, std::size_t> series_of_name;
-  for (const std::string& key : what.y)
+  for (std::size_t k = 0; k < what.y.size(); ++k)
     for (const Row& row : table.rows) {
+      const std::string& key = what.y[k];
       ChartPoint point;
       if (!number_at(row, what.x, point.x) || !number_at(row, key, point.y))
         continue;
+      if (k < what.margin.size())
+        number_at(row, what.margin[k], point.margin);
       std::string name = label_of_key(key);
       if (!what.group.empty())
         if (const Value* group = find_value(row, what.group))

@@ -17,10 +17,12 @@ struct TableChart {
   std::vector<std::string> y;
   std::string value; ///< of maps
   std::string title;
+  std::vector<std::string> margin = {}; ///< of each y, in its order; those without have none
 };
 
 /// Curves y over x, one for each y and group, in the order of the rows. Rows without both numbers
-/// are left out. Throws InputError for a column that no row has.
+/// are left out; a row without a margin has none. Throws InputError for a column that no row has,
+/// and for more margins than curves.
 Chart curve_chart(const Table& table, const TableChart& what);
 
 /// A map: a rectangle for each row, coloured by the value, about (x, y).

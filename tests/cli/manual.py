@@ -11,7 +11,7 @@ import sys
 
 ROOT = pathlib.Path(os.environ["ELLIPSOID_SOURCE"])
 SKIPPED = 77  # as CTest is told
-FOLDERS = [".", ".github", "src_liggghts/doc", "postprocess/doc", "tests/bench"]
+FOLDERS = [".", ".github", "inputs", "src_liggghts/doc", "postprocess/doc", "tests/bench"]
 
 
 def pages():

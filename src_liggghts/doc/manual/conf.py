@@ -16,7 +16,7 @@ release = version = re.search(r'package_version\[\] = "(.+)"', version_header.re
 extensions = ["myst_parser"]
 myst_heading_anchors = 4
 root_doc = "README"
-include_patterns = ["README.md", "*/doc/*.md", "tests/bench/*.md", ".github/*.md"]
+include_patterns = ["README.md", "*/doc/*.md", "tests/bench/*.md", ".github/*.md", "inputs/README.md"]
 exclude_patterns = ["build*", "out"]
 suppress_warnings = ["misc.highlighting_failure", "myst.header"]
 html_extra_path = ["index.html"]
@@ -28,7 +28,7 @@ html_show_sphinx = html_show_copyright = html_copy_source = False
 # what stands in the menu below a page, by the name of the page
 MENU = {
     "README": ["src_liggghts/doc/README", "postprocess/doc/README", "src_liggghts/doc/verification",
-               "tests/bench/README", ".github/CONTRIBUTING", "src_liggghts/doc/CHANGELOG"],
+               "tests/bench/README", "inputs/README", ".github/CONTRIBUTING", "src_liggghts/doc/CHANGELOG"],
     "src_liggghts/doc/README": "src_liggghts/doc/*.md",
     "postprocess/doc/README": "postprocess/doc/*.md",
 }
