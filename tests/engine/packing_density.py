@@ -1,7 +1,8 @@
-"""Frictionless particles compressed isotropically in a periodic box by inputs/packing.in jam at the densities and with the numbers of contacts of the literature: spheres and spheroids of aspect ratio 1.5.
+"""Frictionless particles compressed isotropically in a periodic box by inputs/packing.in jam at the densities and with the numbers of contacts of the literature: spheres, prolate and oblate spheroids of aspect ratio 1.5, triaxial ellipsoids.
 
 Reference: Donev et al., Science 303, 990 (2004): spheres 0.64 with 6 contacts, prolate spheroids of aspect
-ratio 1.5 0.70 to 0.71 with 9.5 to 10. The jammed density is where the straight line through
+ratio 1.5 0.70 to 0.71 with 9.5 to 10, oblate ones 0.68 to 0.71 with about 10. Man et al., Phys. Rev. Lett. 94,
+198001 (2005): 1.25 : 1 : 0.8 0.74 +- 0.005. The jammed density is where the straight line through
 pressure^(2/3) (Hertzian contacts) meets zero; the contacts, without those of rattlers, are extrapolated
 in pressure^(1/3), which goes like the square root of the distance from jamming. The contacts are found
 again from the dumps by the function of Perram and Wertheim (J. Comput. Phys. 58, 409, 1985), which
@@ -51,7 +52,7 @@ def pack(name, seed, particles, changes):
     jammed = np.nonzero(table[:, 1] > PRESSED)[0]
     if len(jammed) < 3:
         raise AssertionError(f"fewer than three jammed stages: raise `dense`\n{table}")
-    volume = 4.0 / 3.0 * np.pi * settings["aspect"] * 1e-9 * particles
+    volume = 4.0 / 3.0 * np.pi * settings["aspect"] * settings.get("second", 1.0) * 1e-9 * particles
     pairs = [touching(read_dump(f"{out}/packing.{k + 1}.dump")[1],
                       3 * [(volume / table[k, 0]) ** (1.0 / 3.0)]) for k in jammed]
     return table[jammed], pairs
@@ -71,7 +72,8 @@ def contacts_at_jamming(table, pairs, particles):
 
 
 class RandomClosePacking(unittest.TestCase):
-    def check(self, name, density, contacts, contacts_margin, **changes):
+    def measure(self, name, **changes):
+        """Mean jammed density and contacts over the seeds."""
         found = []
         for seed in SEEDS:
             table, pairs = pack(name, seed, PARTICLES, changes)
@@ -80,7 +82,10 @@ class RandomClosePacking(unittest.TestCase):
             found.append((jammed_density(table), *contacts_at_jamming(table, pairs, PARTICLES)))
             print(f"| {name} | {PARTICLES} | {seed} | {found[-1][0]:.4f} | {found[-1][1]:.2f} | "
                   f"{100 * found[-1][2]:.1f} % |", flush=True)
-        mean_density, mean_contacts, _ = np.mean(found, axis=0)
+        return np.mean(found, axis=0)[:2]
+
+    def check(self, name, density, contacts, contacts_margin, **changes):
+        mean_density, mean_contacts = self.measure(name, **changes)
         self.assertAlmostEqual(mean_density, density, delta=0.01)
         self.assertAlmostEqual(mean_contacts, contacts, delta=contacts_margin)
 
@@ -89,6 +94,18 @@ class RandomClosePacking(unittest.TestCase):
 
     def test_spheroids(self):
         self.check("spheroids", 0.705, 9.75, 0.35, aspect=1.5, dense=0.722)
+
+    def test_oblate_spheroids(self):
+        # 1.5 : 1.5 : 1, published 0.68 to 0.71 and about 10 contacts
+        density, contacts = self.measure("oblate", aspect=1.5, second=1.5, dense=0.722)
+        self.assertTrue(0.68 - 0.01 <= density <= 0.71 + 0.01, density)
+        self.assertAlmostEqual(contacts, 10.0, delta=0.35)
+
+    def test_triaxial_ellipsoids(self):
+        # 1.25 : 1 : 0.8, published 0.74 +- 0.005; 12 contacts would be isostatic, jammed ellipsoids have fewer
+        density, contacts = self.measure("triaxial", aspect=1.25 / 0.8, second=1.0 / 0.8, dense=0.75)
+        self.assertAlmostEqual(density, 0.74, delta=0.005 + 0.01)
+        self.assertTrue(10.0 < contacts <= 12.0, contacts)
 
     def test_multisphere_spheroids(self):
         # 9 sub-spheres; the body fills 0.9902 of the ellipsoid, by which the input measures density
