@@ -3,6 +3,7 @@
 #include "messages.h"
 #include "option_checks.h"
 #include "output_options.h"
+#include "recommendation.h"
 #include "template_files.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ struct TemplateOptions {
   std::vector<int> counts = {3, 5, 7, 9, 11, 13, 15, 17};
   std::string spacing_word = "paper";
   std::string measure = "area";
-  double tolerance = 0.0, compared_tolerance = 0.0, mass = 0.0;
+  double tolerance = 0.0, compared_tolerance = 0.0, recommended_aspect = 0.0, mass = 0.0;
   std::string multisphere, molecule, spheres, mesh, stl;
 };
 
@@ -101,6 +102,23 @@ Table comparison_table(const TemplateOptions& options) {
   return table;
 }
 
+/// N for 2, 5 and 10 % of what geometry and piles tell.
+Table recommendation_table(double aspect) {
+  Table table{"Sub-spheres recommended", {}};
+  for (const Advice& advice : recommend(aspect, {0.02, 0.05, 0.10})) {
+    Row row{{"aspect_ratio", "a/b", "", aspect},
+            {"quantity", "quantity", "", advice.quantity},
+            {"tolerance_percent", "within", "%", 100.0 * advice.tolerance}};
+    if (advice.subspheres > 0)
+      row.push_back({"subspheres", "N", "", static_cast<std::int64_t>(advice.subspheres)});
+    else
+      row.push_back({"subspheres", "N", "", std::string("-")});
+    row.push_back({"source", "source", "", advice.source});
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
 std::vector<const std::string*> files_of(const TemplateOptions& options) {
   std::vector<const std::string*> files;
   for (const std::string* file :
@@ -131,6 +149,10 @@ void write_files(const TemplateOptions& options, const Wanted& wanted, SphereSpa
 int run(TemplateOptions& options) {
   if (options.compared_tolerance > 0.0) {
     write_table(options.output, comparison_table(options));
+    return exit_good;
+  }
+  if (options.recommended_aspect > 0.0) {
+    write_table(options.output, recommendation_table(options.recommended_aspect));
     return exit_good;
   }
   const SphereSpacing spacing = sphere_spacing_from_word(options.spacing_word);
@@ -174,8 +196,8 @@ void add_file_options(CLI::App& command, TemplateOptions& options) {
   command.add_option("--stl", options.stl, "write the surface as STL");
 }
 
-/// To be added last: it excludes all others.
-void add_comparison_option(CLI::App& command, TemplateOptions& options) {
+/// To be added last: they exclude all others.
+void add_comparison_options(CLI::App& command, TemplateOptions& options) {
   CLI::Option* compare = command.add_option(
       "--compare-spacings", options.compared_tolerance,
       "table of the smallest N of each spacing within this share of area, volume and outline");
@@ -183,6 +205,13 @@ void add_comparison_option(CLI::App& command, TemplateOptions& options) {
   for (const char* other : {"--b", "--subspheres", "--spacing", "--tolerance", "--measure",
                             "--mass", "--multisphere", "--molecule", "--spheres", "--vtp", "--stl"})
     compare->excludes(command.get_option(other));
+  CLI::Option* recommend = command.add_option(
+      "--recommend", options.recommended_aspect,
+      "aspect ratio a/b: table of the N for 2, 5 and 10 % by geometry and by the study's piles");
+  recommend->check(CLI::Range(1.0001, 1000.0));
+  for (const CLI::Option* other : compare->get_excludes())
+    recommend->excludes(command.get_option(other->get_name()));
+  recommend->excludes(compare)->excludes(command.get_option("--aspect"));
 }
 
 } // namespace
@@ -209,7 +238,7 @@ void add_template_command(CLI::App& program, int& exit_code) {
       ->check(check_by([](const std::string& word) { sphere_spacing_from_word(word); }));
   add_count_options(*command, *options);
   add_file_options(*command, *options);
-  add_comparison_option(*command, *options);
+  add_comparison_options(*command, *options);
   add_output_options(*command, options->output);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

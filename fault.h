@@ -1,0 +1,3 @@
+namespace ellipsoid {
+int   f( );
+}

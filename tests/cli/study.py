@@ -1,0 +1,118 @@
+# Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+"""The study's page is what its command writes from the runs that are kept; its own measures, which share no code with
+ellipsoid-post, agree with it; confidence intervals cover the truth as often as they say; verdicts are right."""
+
+import os
+import pathlib
+import subprocess
+import sys
+
+import numpy as np
+
+ROOT = pathlib.Path(os.environ["ELLIPSOID_SOURCE"])
+TOOLS = pathlib.Path(os.environ["ELLIPSOID_BIN"]) / "ellipsoid-post"
+sys.path.insert(0, str(ROOT / "inputs" / "study"))
+import main as study  # noqa: E402
+from fits import CUTS, SEGMENTS, THROUGH, line, scan, surface_of  # noqa: E402
+from kept_runs import read_list  # noqa: E402
+from piles import A, B, Pile  # noqa: E402
+from porosities import porosities  # noqa: E402
+from statements import Statement, test  # noqa: E402
+from statistics_of_runs import drawn_means, interval, verdict  # noqa: E402
+
+RESULTS = ROOT / "inputs" / "results"
+
+
+def check_page():
+    """The committed page and table of the tools are up to date."""
+    subprocess.run(["bash", ROOT / "inputs" / "study.sh", "--out", "written"], check=True, text=True,
+                   stdout=subprocess.DEVNULL)
+    for name, kept in study.targets().items():
+        assert pathlib.Path("written", name).read_text() == kept.read_text(), f"run inputs/study.sh: {kept} is old"
+    drawn = {file.name for file in pathlib.Path("written").glob("figure*.png")}
+    assert {"figure12_displacement.png", "figure13_displacement.png"} <= drawn, drawn
+
+
+def check_against_the_tools():
+    """Angle and porosity of a smooth and of a multi-sphere pile."""
+    chosen = {}
+    for row in read_list(RESULTS):
+        chosen.setdefault(row["kind"] > 0, row)
+    for row in chosen.values():
+        run = study.measured(TOOLS, RESULTS, pathlib.Path("."), dict(row))
+        mine, tool = run["scan"]["height", "envelope", 0.2], float(run["repose_angle_deg"])
+        assert abs(mine - tool) < 0.02, (row["run"], mine, tool)
+        mine, tool = run["porosities"]["outline, union"], float(run["porosity"])
+        assert abs(mine - tool) < 2e-3, (row["run"], mine, tool)  # counted in cells of b / 16
+
+
+def check_wedge():
+    """Long particles laid along a straight slope: every reading has its angle; a solid wedge has no pores."""
+    slope = np.tan(np.radians(25.0))
+    x = np.arange(A, 0.12, 0.1 * A)
+    centres = [(u, v) for u in x for v in np.arange(0.0, 0.13 * slope, 0.6 * B) if v <= slope * (0.12 - u) - B]
+    centres += [(u, max(slope * (0.12 - u) - B, 0.0)) for u in x]
+    direction = np.array([np.cos(np.radians(-25.0)), np.sin(np.radians(-25.0))])
+    pile = Pile(np.array(centres), np.tile(direction, (len(centres), 1)), 0, np.zeros((0, 2)))
+    surface = surface_of(pile)
+    angles = scan(surface)
+    assert set(angles) == {(s, t, c) for s in SEGMENTS for t in THROUGH for c in CUTS}
+    for key, angle in angles.items():
+        if key[2] >= 0.1:
+            assert abs(angle - 25.0) < 0.3, (key, angle)
+    assert abs(line(surface)[0] - 25.0) < 0.1
+    found = porosities(pile, surface)
+    for reading in "outline, union", "below the line A-B by height", "inner region, 2 a inside", "below the centres":
+        assert abs(found[reading]) < 0.02, (reading, found[reading])
+
+
+def check_intervals():
+    """95 % intervals of a difference of two means of two runs, among four kinds, cover it in 95 % of the cases, and the
+    interval of a mean is that of Student's t."""
+    random = np.random.default_rng(5)
+    truth, covered, cases = {3: 30.0, 9: 27.0, 17: 26.0, 0: 25.0}, 0, 400
+    for _ in range(cases):
+        draws = drawn_means({k: list(m + random.standard_normal(2)) for k, m in truth.items()})
+        low, high = interval(draws[3] - draws[17])
+        covered += low <= 4.0 <= high
+    print(f"95 % intervals cover the truth in {100.0 * covered / cases:.1f} % of the cases")
+    assert abs(covered / cases - 0.95) < 3.0 * np.sqrt(0.95 * 0.05 / cases), covered / cases
+    low, high = interval(drawn_means({0: [1.0, 3.0], 3: [7.0]})[3])  # scatter sqrt(2), one degree of freedom
+    assert abs(0.5 * (high - low) / (12.706 * np.sqrt(2.0)) - 1.0) < 0.05 and abs(0.5 * (low + high) - 7.0) < 1.0
+    low, high = interval(drawn_means({0: [1.0, 2.0, 3.0], 3: [4.0, 5.0, 6.0]})[0])  # four degrees
+    assert abs(0.5 * (high - low) / (2.776 / np.sqrt(3.0)) - 1.0) < 0.02, (low, high)
+    assert drawn_means({0: [1.0], 3: [2.0]}) == {}
+
+
+def check_verdicts():
+    assert verdict(1.0, 2.0, 0.0, 3.0) == "confirmed"
+    assert verdict(-1.0, 2.0, 0.0, 3.0) == verdict(2.0, 4.0, 0.0, 3.0) == verdict(-1.0, 4.0, 0.0, 3.0) == "undecided"
+    assert verdict(3.5, 4.0, 0.0, 3.0) == verdict(-2.0, -1.0, 0.0, 3.0) == "not confirmed"
+    falls = Statement("falls", "17 less 3", "q", (3, 17), lambda m: m[17] - m[3], -np.inf, 0.0)
+    for runs, wanted in [({3: [5.0, 5.1], 17: [4.0, 4.1]}, "confirmed"),
+                         ({3: [4.0, 4.1], 17: [5.0, 5.1]}, "not confirmed"),
+                         ({3: [5.0, 5.1], 17: [4.0]}, "undecided"), ({3: [4.0, 6.0], 17: [4.1, 5.9]}, "undecided"),
+                         ({3: [5.0], 17: [4.0]}, "undecided (one run each)"), ({3: [5.0]}, "no runs of N = 17")]:
+        assert test(falls, {"q": runs})[3] == wanted, (runs, wanted)
+
+
+def check_messages():
+    for words, message in [(["--add", "."], "--add needs --commit"),
+                           (["--results", "absent"], "no list of runs")]:
+        done = subprocess.run(["bash", ROOT / "inputs" / "study.sh", "--out", "x", *words], text=True,
+                              capture_output=True)
+        assert done.returncode and message in done.stderr and len(done.stderr.splitlines()) == 1, done.stderr
+
+
+def main():
+    check_verdicts()
+    check_intervals()
+    check_wedge()
+    check_against_the_tools()
+    check_page()
+    check_messages()
+    print("passed")
+
+
+if __name__ == "__main__":
+    main()
