@@ -141,6 +141,18 @@ def grouped(rows, name, column):
     return dict(sorted(groups.items()))
 
 
+def draw(campaign, table, curve, name, column, points=100):
+    """Means with half ranges, and the curve: so many points that they have no markers."""
+    low, high = float(table[0][name]), float(table[-1][name])
+    drawn = [{key: row[key] for key in (name, column, "half_range")} for row in table]
+    for k in range(points + 1):
+        x = low + (high - low) * k / points
+        drawn.append({name: f"{x:.9g}", "fit": f"{curve.at(x):.9g}"})
+    write_rows(campaign.out / "calibration_curve.csv", drawn)
+    tool(campaign, "plot", "curve", campaign.out / "calibration_curve.csv", "--x", name, "--y", f"{column},fit",
+         "--margin", "half_range", "--title", f"{column} over {name}", "-o", campaign.out / "calibration.png")
+
+
 def report(campaign, rows, asked):
     """Table, picture and result, printed and written to calibration.csv and calibration.png."""
     name, column, wanted = asked
@@ -157,8 +169,7 @@ def report(campaign, rows, asked):
         table.append(row)
         print("{:>12} {:>5} {:>10} {:>10} {:>10} {:>10}".format(*row.values()))
     write_rows(campaign.out / "calibration.csv", table)
-    tool(campaign, "plot", "curve", campaign.out / "calibration.csv", "--x", name, "--y", f"{column},fit",
-         "--margin", "half_range", "--title", f"{column} over {name}", "-o", campaign.out / "calibration.png")
+    draw(campaign, table, curve, name, column)
     if curve.misfit > 2.0:
         print(f"the means lie {curve.misfit:.1f} of their standard errors off the curve: narrow the range of --vary")
     print(f"{column} = {wanted:g} at {name} = {x:.4g} +- {error:.2g} (one standard error)")

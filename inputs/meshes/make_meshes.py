@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the meshes of inputs/hopper.in and inputs/drum.in, ASCII STL in metres, into the present folder.
+"""Writes the meshes of inputs/hopper.in (hopper and silo) and inputs/drum.in, ASCII STL in metres, into the present folder.
 
     python3 make_meshes.py
 
@@ -52,6 +52,8 @@ def main():
     outlet, shoulder = ring(0.010, 0.040, segments), ring(0.030, 0.075, segments)
     write_stl("hopper.stl", band(outlet, shoulder) + band(shoulder, ring(0.030, 0.150, segments)))
     write_stl("hopper_lid.stl", disc(outlet))
+    wall = ring(0.030, 0.040, segments)
+    write_stl("silo.stl", band(outlet, wall) + band(wall, ring(0.030, 0.150, segments)))
     ends = ring(0.030, -0.010, 36), ring(0.030, 0.010, 36)
     write_stl("drum.stl", along_y(band(*ends) + disc(ends[0]) + disc(ends[1])))
 
