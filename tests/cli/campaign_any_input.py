@@ -7,6 +7,7 @@ import csv
 import math
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -209,6 +210,33 @@ def check_messages():
         assert what in text and "choose other values of --vary" in text, text
 
 
+def plot(*words):
+    return subprocess.run([pathlib.Path(os.environ["ELLIPSOID_BIN"]) / "ellipsoid-post", "plot", *words],
+                          capture_output=True, text=True)
+
+
+def check_margins():
+    """`plot curve --margin` draws bars as long as twice the margins, on the scale of the ordinates."""
+    pathlib.Path("margins.csv").write_text("x,y,m\n1,10,1\n2,12,3\n3,11,\n")
+    words = ["curve", "margins.csv", "--x", "x", "--y", "y", "-o", "margins.svg"]
+    assert plot(*words, "--margin", "m").returncode == 0
+    lines = [[tuple(map(float, p.split(","))) for p in points.split()]
+             for points in re.findall('<polyline points="([^"]*)" fill="none" stroke="#0073b3"',
+                                      pathlib.Path("margins.svg").read_text())]
+    curve = lines[0]
+    unit = (curve[0][1] - curve[1][1]) / (12.0 - 10.0)  # pixels
+    bars = {x: abs(y - end) for (x, y), (across, end), *more in lines[1:] if x == across and not more}
+    assert len(curve) == 3 and len(bars) == 2, lines
+    for (x, _), margin in zip(curve, (1.0, 3.0)):
+        assert abs(bars[x] / (2.0 * margin * unit) - 1.0) < 1e-3, (x, bars)
+    for more, message in (["--margin", "m,m"], "2 columns of margins for 1 of curves"), (
+            ["--margin", "bogus"], 'expected a column "bogus"'):
+        done = plot(*words, *more)
+        assert done.returncode == 1 and message in done.stderr, done.stderr
+    done = plot("map", *words[1:], "--value", "m", "--margin", "m")
+    assert done.returncode == 1 and "margins are for curves" in done.stderr, done.stderr
+
+
 def check_calibration():
     """Coefficients against numpy.polyfit; the uncertainty against runs drawn anew, 4000 times."""
     random = np.random.default_rng(3)
@@ -243,6 +271,7 @@ def check_calibration():
 def main():
     pathlib.Path("flight.in").write_text(INPUT)
     check_calibration()
+    check_margins()
     check_matrix()
     check_list_and_failure()
     check_stopped()
