@@ -133,10 +133,10 @@ def grouped(rows, name, column):
     groups = {}
     for row in rows:
         try:
-            x, value = float(row[name]), float(row[column])
+            x, value = float(row[name]), float(row.get(column, ""))
         except ValueError:
-            raise Misuse(f"--calibrate: run {row['run']} has {name} = '{row[name]}' and {column} = '{row[column]}', "
-                         "numbers are needed") from None
+            raise Misuse(f"--calibrate: run {row['run']} has {name} = '{row[name]}' and {column} = "
+                         f"'{row.get(column, '')}', numbers are needed") from None
         groups.setdefault(x, []).append(value)
     return dict(sorted(groups.items()))
 

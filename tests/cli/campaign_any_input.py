@@ -18,6 +18,7 @@ import numpy as np
 SOURCE = pathlib.Path(os.environ["ELLIPSOID_SOURCE"])
 sys.path.insert(0, str(SOURCE / "inputs" / "campaign"))
 import calibration  # noqa: E402
+import results  # noqa: E402
 from options import Misuse  # noqa: E402
 
 MASS = 2e-5
@@ -210,6 +211,15 @@ def check_messages():
         assert what in text and "choose other values of --vary" in text, text
 
 
+def refused(call, message):
+    try:
+        call()
+    except Misuse as misuse:
+        assert message in str(misuse), misuse
+    else:
+        raise AssertionError("accepted: " + message)
+
+
 def plot(*words):
     return subprocess.run([pathlib.Path(os.environ["ELLIPSOID_BIN"]) / "ellipsoid-post", "plot", *words],
                           capture_output=True, text=True)
@@ -259,13 +269,13 @@ def check_calibration():
         found.append(roots[np.argmin(np.abs(roots - x))].real)
     # pooled from 16 degrees of freedom, the estimate itself scatters by 1 / sqrt(32)
     assert abs(error / np.std(found) - 1.0) < 3.0 / math.sqrt(32.0), (error, np.std(found))
+    rows = [{"run": "a", "mu": "0.1", "angle": "20"}, {"run": "b", "mu": "0.1"}]  # too small a pile
+    results.require_columns(rows, ["angle"])
+    refused(lambda: results.require_columns(rows, ["bogus"]), "no column 'bogus'")
+    refused(lambda: calibration.grouped(rows, "mu", "angle"), "run b has mu = '0.1' and angle = '', numbers")
     for groups, message in [({1.0: [2.0, 3.0]}, "two values of mu"), ({1.0: [2.0], 2.0: [3.0]}, "two seeds"),
                             ({0.0: [0.0, 0.0], 1.0: [3.0, 3.0], 2.0: [0.0, 0.0]}, "reached 2 times")]:
-        try:
-            calibration.solve(groups, 1.5, "mu", "angle")
-            raise AssertionError("accepted: " + message)
-        except Misuse as misuse:
-            assert message in str(misuse), misuse
+        refused(lambda: calibration.solve(groups, 1.5, "mu", "angle"), message)
 
 
 def main():
