@@ -4,7 +4,9 @@
 #include "option_checks.h"
 #include "output_options.h"
 #include "recommendation.h"
+#include "sphere_sets.h"
 #include "template_files.h"
+#include "whole_token.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -22,6 +24,7 @@ struct TemplateOptions {
   std::string spacing_word = "paper";
   std::string measure = "area";
   double tolerance = 0.0, compared_tolerance = 0.0, recommended_aspect = 0.0, mass = 0.0;
+  SetOptions sets;
   std::string multisphere, molecule, spheres, mesh, stl;
 };
 
@@ -135,18 +138,53 @@ void write_files(const TemplateOptions& options, const Wanted& wanted, SphereSpa
     if (!path.empty())
       write_text(path, text);
   };
-  write(options.multisphere, host_multisphere_file(chain));
+  const SphereBody body = body_of(chain);
+  write(options.multisphere, host_multisphere_file(body.spheres));
   if (!options.multisphere.empty() && options.mass > 0.0)
     fmt::print(stderr, "of fix particletemplate/multisphere: {}\n",
-               host_multisphere_words(chain, options.multisphere, options.mass));
-  write(options.molecule, molecule_file(chain, options.mass));
-  write(options.spheres, spheres_csv(chain));
+               host_multisphere_words(body, options.multisphere, options.mass));
+  write(options.molecule, molecule_file(body, options.mass));
+  write(options.spheres, spheres_csv(body.spheres));
   const SurfaceMesh surface = outline_of_revolution(chain);
   write(options.mesh, vtp_text(surface));
   write(options.stl, stl_text(surface));
 }
 
-int run(TemplateOptions& options) {
+/// With --from a number of --spheres is how many are wanted, not a file.
+TemplateChoice set_choice(const CLI::App& command, const TemplateOptions& options) {
+  const auto given = [&](const char* option, const std::string& value) {
+    return command.count(option) > 0 ? value : std::string();
+  };
+  TemplateChoice choice{options.counts,
+                        given("--spacing", options.spacing_word),
+                        given("--measure", options.measure),
+                        options.tolerance,
+                        options.mass,
+                        options.multisphere,
+                        options.molecule,
+                        options.spheres};
+  if (const auto count = whole_token<int>(options.spheres); count && !options.sets.mesh.empty()) {
+    choice.counts = {*count};
+    choice.spheres.clear();
+  }
+  return choice;
+}
+
+void check_set_options(const CLI::App& command) {
+  for (const char* option : {"--b", "--aspect", "--vtp", "--stl"})
+    if (command.count(option) > 0)
+      throw InputError(std::string(option) +
+                       " is for chains; sets of spheres (--semiaxes, --clump, --from, --needed) do "
+                       "without it");
+}
+
+int run(const CLI::App& command, TemplateOptions& options) {
+  if (options.sets.are_asked()) {
+    check_set_options(command);
+    return run_sets(options.sets, set_choice(command, options), options.output);
+  }
+  if (!options.sets.picture.empty())
+    throw InputError("--picture is of a set of spheres: give --semiaxes, --clump or --from");
   if (options.compared_tolerance > 0.0) {
     write_table(options.output, comparison_table(options));
     return exit_good;
@@ -177,7 +215,9 @@ void add_count_options(CLI::App& command, TemplateOptions& options) {
       .add_option("--tolerance", options.tolerance,
                   "instead of --subspheres: the smallest N within this share of the measure")
       ->check(CLI::Range(1e-6, 0.5));
-  command.add_option("--measure", options.measure, "of --tolerance: area, volume or outline")
+  command
+      .add_option("--measure", options.measure,
+                  "of --tolerance: area, volume or outline; of sets volume (default) or outline")
       ->check(CLI::IsMember({"area", "volume", "outline"}))
       ->capture_default_str();
   command
@@ -191,7 +231,8 @@ void add_file_options(CLI::App& command, TemplateOptions& options) {
   command.add_option("--multisphere", options.multisphere,
                      "write x y z r lines for the host's fix particletemplate/multisphere");
   command.add_option("--molecule", options.molecule, "write a LAMMPS molecule file");
-  command.add_option("--spheres", options.spheres, "write the spheres as CSV");
+  command.add_option("--spheres", options.spheres,
+                     "write the spheres as CSV; with --from a number is --subspheres");
   command.add_option("--vtp", options.mesh, "write the surface for ParaView");
   command.add_option("--stl", options.stl, "write the surface as STL");
 }
@@ -202,8 +243,9 @@ void add_comparison_options(CLI::App& command, TemplateOptions& options) {
       "--compare-spacings", options.compared_tolerance,
       "table of the smallest N of each spacing within this share of area, volume and outline");
   compare->check(CLI::Range(1e-6, 0.5));
-  for (const char* other : {"--b", "--subspheres", "--spacing", "--tolerance", "--measure",
-                            "--mass", "--multisphere", "--molecule", "--spheres", "--vtp", "--stl"})
+  for (const char* other :
+       {"--b", "--subspheres", "--spacing", "--tolerance", "--measure", "--mass", "--multisphere",
+        "--molecule", "--spheres", "--vtp", "--stl", "--semiaxes", "--clump", "--from", "--needed"})
     compare->excludes(command.get_option(other));
   CLI::Option* recommend = command.add_option(
       "--recommend", options.recommended_aspect,
@@ -219,7 +261,8 @@ void add_comparison_options(CLI::App& command, TemplateOptions& options) {
 void add_template_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<TemplateOptions>();
   CLI::App* command = program.add_subcommand(
-      "template", "multi-sphere templates: geometry table, files for LIGGGHTS, LAMMPS, ParaView");
+      "template",
+      "multi-sphere templates and clumps: geometry, files for LIGGGHTS, LAMMPS, ParaView");
   command->alias("shape");
   command->footer(
       "Area (9), volume (10), perimeter from the cut-off spheres, exact; ratios to the ellipse "
@@ -231,16 +274,19 @@ void add_template_command(CLI::App& program, int& exit_code) {
   command->add_option("--aspect", options->aspect_ratios, "aspect ratios a/b")->delimiter(',');
   command->add_option("--subspheres", options->counts, "numbers N of sub-spheres")->delimiter(',');
   command
-      ->add_option("--spacing", options->spacing_word,
-                   "paper, minimax (the same as minimax_outline), minimax_outline, minimax_area, "
-                   "paper_touching (N = 3)")
+      ->add_option(
+          "--spacing", options->spacing_word,
+          "paper, minimax (the same as minimax_outline), minimax_outline, minimax_area, "
+          "paper_touching (N = 3); with --semiaxes: medial (default), minimax_volume or these; "
+          "with --from: medial (default) or minimax_volume")
       ->capture_default_str()
       ->check(check_by([](const std::string& word) { sphere_spacing_from_word(word); }));
+  add_set_options(*command, options->sets);
   add_count_options(*command, *options);
   add_file_options(*command, *options);
   add_comparison_options(*command, *options);
   add_output_options(*command, options->output);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command->callback([command, options, &exit_code] { exit_code = run(*command, *options); });
 }
 
 } // namespace ellipsoid::post

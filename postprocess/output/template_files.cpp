@@ -2,6 +2,7 @@
 #include "template_files.h"
 
 #include "ellipsoid/ellipsoid_properties.h"
+#include "multisphere/ellipsoid_spheres.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -62,47 +63,57 @@ void append_arc(std::vector<OutlinePoint>& outline, double centre, double radius
 
 } // namespace
 
-std::string host_multisphere_file(const MultisphereTemplate& chain) {
+SphereBody body_of(const MultisphereTemplate& chain) {
+  const Vector3 moments = principal_moments({chain.a, chain.b, chain.b}, 1.0);
+  return {fmt::format("multi-sphere ellipsoid a = {} b = {} N = {} ({})", chain.a, chain.b,
+                      chain.count(), word_of(chain.spacing)),
+          spheres_of(chain),
+          {moments.x, moments.y, moments.z, 0.0, 0.0, 0.0}};
+}
+
+std::string host_multisphere_file(const SphereSet& set) {
   std::string text;
-  for (std::size_t k = 0; k < chain.centres.size(); ++k)
-    text += fmt::format("{} 0 0 {}\n", chain.centres[k], chain.radii[k]);
+  for (std::size_t k = 0; k < set.centres.size(); ++k) {
+    const Vector3& c = set.centres[k];
+    text += fmt::format("{} {} {} {}\n", c.x, c.y, c.z, set.radii[k]);
+  }
   return text;
 }
 
-std::string host_multisphere_words(const MultisphereTemplate& chain, const std::string& file,
-                                   double mass) {
-  const Vector3 moments = principal_moments({chain.a, chain.b, chain.b}, mass);
+std::string host_multisphere_words(const SphereBody& body, const std::string& file, double mass) {
+  const SymmetricMatrix3 t = mass * body.inertia;
   return fmt::format(
-      "nspheres {} ntry 100000 spheres file {} scale 1.0 type 1 mass {} inertia_tensor {} 0 0 {} "
-      "0 {} use_density",
-      chain.count(), file, mass, moments.x, moments.y, moments.z);
+      "nspheres {} ntry 100000 spheres file {} scale 1.0 type 1 mass {} inertia_tensor {} {} {} {} "
+      "{} {} use_density",
+      body.spheres.count(), file, mass, t.xx, t.xy, t.xz, t.yy, t.yz, t.zz);
 }
 
-std::string molecule_file(const MultisphereTemplate& chain, double mass) {
-  std::string text =
-      fmt::format("multi-sphere ellipsoid a = {} b = {} N = {} ({})\n\n{} atoms\n", chain.a,
-                  chain.b, chain.count(), word_of(chain.spacing), chain.count());
+std::string molecule_file(const SphereBody& body, double mass) {
+  std::string text = fmt::format("{}\n\n{} atoms\n", body.title, body.spheres.count());
   if (mass > 0.0) {
-    const Vector3 moments = principal_moments({chain.a, chain.b, chain.b}, mass);
-    text += fmt::format("{} mass\n0 0 0 com\n{} {} {} 0 0 0 inertia\n", mass, moments.x, moments.y,
-                        moments.z);
+    const SymmetricMatrix3 t = mass * body.inertia;
+    text += fmt::format("{} mass\n0 0 0 com\n{} {} {} {} {} {} inertia\n", mass, t.xx, t.yy, t.zz,
+                        t.xy, t.xz, t.yz);
   }
   text += "\nCoords\n\n";
-  for (std::size_t k = 0; k < chain.centres.size(); ++k)
-    text += fmt::format("{} {} 0 0\n", k + 1, chain.centres[k]);
+  const std::vector<Vector3>& centres = body.spheres.centres;
+  for (std::size_t k = 0; k < centres.size(); ++k)
+    text += fmt::format("{} {} {} {}\n", k + 1, centres[k].x, centres[k].y, centres[k].z);
   text += "\nTypes\n\n";
-  for (std::size_t k = 0; k < chain.centres.size(); ++k)
+  for (std::size_t k = 0; k < centres.size(); ++k)
     text += fmt::format("{} 1\n", k + 1);
   text += "\nDiameters\n\n";
-  for (std::size_t k = 0; k < chain.centres.size(); ++k)
-    text += fmt::format("{} {}\n", k + 1, 2.0 * chain.radii[k]);
+  for (std::size_t k = 0; k < centres.size(); ++k)
+    text += fmt::format("{} {}\n", k + 1, 2.0 * body.spheres.radii[k]);
   return text;
 }
 
-std::string spheres_csv(const MultisphereTemplate& chain) {
+std::string spheres_csv(const SphereSet& set) {
   std::string text = "index,x_m,y_m,z_m,radius_m\n";
-  for (std::size_t k = 0; k < chain.centres.size(); ++k)
-    text += fmt::format("{},{},0,0,{}\n", k + 1, chain.centres[k], chain.radii[k]);
+  for (std::size_t k = 0; k < set.centres.size(); ++k) {
+    const Vector3& c = set.centres[k];
+    text += fmt::format("{},{},{},{},{}\n", k + 1, c.x, c.y, c.z, set.radii[k]);
+  }
   return text;
 }
 

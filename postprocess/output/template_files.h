@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #pragma once
 
+#include "multisphere/clump.h"
 #include "multisphere/multisphere_template.h"
 #include "surface_mesh.h"
 
@@ -8,21 +9,29 @@
 
 namespace ellipsoid::post {
 
-/// Lines "x y z r" for the host's `fix particletemplate/multisphere ... file NAME`.
-std::string host_multisphere_file(const MultisphereTemplate& chain);
+/// A body of spheres as files hold it.
+struct SphereBody {
+  std::string title;
+  SphereSet spheres;        ///< about the centre of mass (length)
+  SymmetricMatrix3 inertia; ///< of mass 1 about it (length^2)
+};
 
-/// What stands beside that file in the host's command: a body of `mass` with the principal moments
-/// of the solid ellipsoid.
-std::string host_multisphere_words(const MultisphereTemplate& chain, const std::string& file,
-                                   double mass);
+/// A chain; moments are those of the solid ellipsoid.
+SphereBody body_of(const MultisphereTemplate& chain);
+
+/// Lines "x y z r" for the host's `fix particletemplate/multisphere ... file NAME`.
+std::string host_multisphere_file(const SphereSet& set);
+
+/// What stands beside that file in the host's command: a body of `mass`.
+std::string host_multisphere_words(const SphereBody& body, const std::string& file, double mass);
 
 /// A LAMMPS molecule file: one atom per sphere with its diameter, as for `fix rigid/small mol`.
-/// @param[in] mass of the body; its centre and moments (the solid ellipsoid's) are written as well,
-///            because LAMMPS would count the overlaps twice. 0: none of them
-std::string molecule_file(const MultisphereTemplate& chain, double mass);
+/// @param[in] mass of the body; its centre and moments are written as well, because LAMMPS would
+///            count the overlaps twice. 0: none of them
+std::string molecule_file(const SphereBody& body, double mass);
 
 /// Columns index, x_m, y_m, z_m, radius_m.
-std::string spheres_csv(const MultisphereTemplate& chain);
+std::string spheres_csv(const SphereSet& set);
 
 /// How finely surfaces are divided.
 struct MeshFineness {

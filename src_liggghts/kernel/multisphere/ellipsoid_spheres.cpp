@@ -34,12 +34,8 @@ void check_semiaxes(const Vector3& semiaxes) {
            "; the largest may be 1.000001 to 100 times the smallest: change them, or use a sphere");
 }
 
-int largest_count(SphereSpacing spacing) {
-  return spacing == SphereSpacing::medial ? largest_set_count : largest_sphere_count;
-}
-
 void check_count(int count, SphereSpacing spacing) {
-  const int largest = largest_count(spacing);
+  const int largest = largest_count_of(spacing);
   if (count >= 1 && count <= largest && count % 2 == 1)
     return;
   refuse("number of sub-spheres N = " + std::to_string(count) + "; with spacing " +
@@ -90,23 +86,18 @@ bool is_one_body(const SphereSet& set) {
 
 /// A larger N, within a fifth of the smallest, whose spheres are one body; 0 if there is none.
 int connected_count(const Vector3& semiaxes, int count, SphereSpacing spacing) {
-  for (int n = count + 2; n <= largest_count(spacing); n += std::max(2, n / 10 * 2))
+  for (int n = count + 2; n <= largest_count_of(spacing); n += std::max(2, n / 10 * 2))
     if (is_one_body(planar_set(semiaxes, n, spacing)))
       return n;
   return 0;
 }
 
-SphereSet checked_planar_set(const Vector3& semiaxes, int count, SphereSpacing spacing) {
-  check_semiaxes(semiaxes);
-  check_count(count, spacing);
-  SphereSet set = planar_set(semiaxes, count, spacing);
-  if (is_one_body(set))
-    return set;
+[[noreturn]] void refuse_apart(const Vector3& semiaxes, int count, SphereSpacing spacing) {
   const int enough = connected_count(semiaxes, count, spacing);
   refuse("with N = " + std::to_string(count) + " sub-spheres of spacing " + word_of(spacing) +
          " at semi-axes " + text_of(semiaxes) + " the spheres are not one body; " +
          (enough > 0 ? "N = " + std::to_string(enough) + " is enough"
-                     : "no N up to " + std::to_string(largest_count(spacing)) +
+                     : "no N up to " + std::to_string(largest_count_of(spacing)) +
                            " that was tried is enough: use a rounder body"));
 }
 
@@ -114,6 +105,16 @@ SphereSet checked_planar_set(const Vector3& semiaxes, int count, SphereSpacing s
 
 bool is_planar(SphereSpacing spacing) {
   return spacing == SphereSpacing::medial || spacing == SphereSpacing::minimax_volume;
+}
+
+int largest_count_of(SphereSpacing spacing) {
+  return spacing == SphereSpacing::medial ? largest_set_count : largest_sphere_count;
+}
+
+SphereSet place_ellipsoid_spheres(const Vector3& semiaxes, int count, SphereSpacing spacing) {
+  check_semiaxes(semiaxes);
+  check_count(count, spacing);
+  return planar_set(semiaxes, count, spacing);
 }
 
 SphereSet spheres_of(const MultisphereTemplate& chain) {
@@ -125,8 +126,12 @@ SphereSet spheres_of(const MultisphereTemplate& chain) {
 }
 
 SphereSet make_ellipsoid_spheres(const Vector3& semiaxes, int count, SphereSpacing spacing) {
-  if (is_planar(spacing))
-    return checked_planar_set(semiaxes, count, spacing);
+  if (is_planar(spacing)) {
+    SphereSet set = place_ellipsoid_spheres(semiaxes, count, spacing);
+    if (!is_one_body(set))
+      refuse_apart(semiaxes, count, spacing);
+    return set;
+  }
   if (semiaxes.y != semiaxes.z)
     refuse("spacing " + word_of(spacing) + " with semi-axes " + text_of(semiaxes) +
            "; it needs b = c: use spacing medial or minimax_volume");

@@ -30,6 +30,12 @@ bool is_planar(SphereSpacing spacing);
 /// @throws std::invalid_argument one line: what, value, allowed range, remedy
 SphereSet make_ellipsoid_spheres(const Vector3& semiaxes, int count, SphereSpacing spacing);
 
+/// The same for the two planar spacings without the check that the spheres are one body.
+SphereSet place_ellipsoid_spheres(const Vector3& semiaxes, int count, SphereSpacing spacing);
+
+/// The largest N of a spacing.
+int largest_count_of(SphereSpacing spacing);
+
 /// The spheres of a chain in space, from -x to +x.
 SphereSet spheres_of(const MultisphereTemplate& chain);
 

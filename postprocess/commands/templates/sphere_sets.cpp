@@ -1,0 +1,316 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "sphere_sets.h"
+
+#include "ellipsoid_counts.h"
+#include "input_error.h"
+#include "mesh_clump.h"
+#include "messages.h"
+#include "multisphere/ellipsoid_spheres.h"
+#include "multisphere/sphere_list.h"
+#include "multisphere/union_measures.h"
+#include "space_picture.h"
+#include "sphere_set_measures.h"
+#include "stl_mesh.h"
+#include "table_charts.h"
+#include "template_files.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+namespace ellipsoid::post {
+namespace {
+
+/// A set with its name, and what it is compared with.
+struct NamedSet {
+  std::string source, spacing;
+  SphereSet spheres;
+};
+
+/// What all sets of a call are compared with, and the length that is the unit of distances.
+struct Target {
+  std::optional<Solid> solid;
+  double unit = 1.0;
+  std::string unit_name; ///< "c", the smallest semi-axis, or "r_V", of the ball of equal volume
+};
+
+std::string text_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    throw InputError(path + ": cannot be opened; give a list of spheres that is there");
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (file.bad() || text.find('\0') != std::string::npos)
+    throw InputError(path + ": expected lines x y z r, found something that is no text");
+  return text;
+}
+
+/// The first line of spheres_csv() in the words of lists.
+std::string with_plain_names(std::string text) {
+  const std::string ours = spheres_csv({});
+  if (text.compare(0, ours.size(), ours) == 0)
+    text.replace(0, ours.size(), "index,x,y,z,r\n");
+  return text;
+}
+
+SphereSet checked_list(const std::string& path) {
+  try {
+    const SphereSet set = parse_sphere_list(with_plain_names(text_of_file(path))).spheres;
+    check_spheres(set);
+    check_connected(set);
+    return set;
+  } catch (const std::invalid_argument& error) {
+    throw InputError(path + ": " + error.what());
+  }
+}
+
+Vector3 semiaxes_of(const SetOptions& options) {
+  return {options.semiaxes[0], options.semiaxes[1], options.semiaxes[2]};
+}
+
+SphereSpacing spacing_of(const TemplateChoice& choice) {
+  return choice.spacing.empty() ? SphereSpacing::medial : sphere_spacing_from_word(choice.spacing);
+}
+
+/// Counts that cannot be built are left out with a warning.
+template <class Make>
+void append_sets(std::vector<NamedSet>& sets, const std::string& source,
+                 const TemplateChoice& choice, const Make& make) {
+  std::string last;
+  for (const int count : choice.counts) {
+    try {
+      sets.push_back({source, word_of(spacing_of(choice)), make(count)});
+    } catch (const std::exception& error) {
+      last = error.what();
+      if (choice.counts.size() > 1)
+        report_warning(last);
+    }
+  }
+  if (sets.empty())
+    throw InputError(choice.counts.size() > 1 ? "none of these templates can be built" : last);
+}
+
+SetError error_of(const TemplateChoice& choice) {
+  if (choice.measure == "area")
+    throw InputError("--measure area is of the section of a chain; sets of spheres take volume or "
+                     "outline");
+  return choice.measure == "outline" ? SetError::outline : SetError::volume;
+}
+
+std::vector<NamedSet> ellipsoid_sets(const SetOptions& options, TemplateChoice choice) {
+  const Vector3 semiaxes = semiaxes_of(options);
+  if (!is_planar(spacing_of(choice)) && semiaxes.y != semiaxes.z)
+    throw InputError("spacing " + choice.spacing +
+                     " needs semi-axes b = c: use spacing medial or minimax_volume");
+  if (choice.tolerance > 0.0)
+    choice.counts = {
+        count_within(semiaxes, spacing_of(choice), error_of(choice), choice.tolerance)};
+  std::vector<NamedSet> sets;
+  append_sets(sets, "ellipsoid", choice, [&](int count) {
+    return make_ellipsoid_spheres(semiaxes, count, spacing_of(choice));
+  });
+  return sets;
+}
+
+std::vector<NamedSet> mesh_sets(const SetOptions& options, TemplateChoice choice,
+                                const MeshClumps& clumps) {
+  if (choice.tolerance > 0.0) {
+    if (error_of(choice) != SetError::volume)
+      throw InputError("--tolerance with --from is of the volume: leave --measure out");
+    choice.counts = {clumps.count_for(choice.tolerance, spacing_of(choice))};
+  }
+  std::vector<NamedSet> sets;
+  append_sets(sets, options.mesh, choice,
+              [&](int count) { return clumps.spheres(count, spacing_of(choice)); });
+  return sets;
+}
+
+/// A sphere whose centre is not in the body was made for another one, or in another unit.
+void check_inside(const NamedSet& set, const Solid& solid) {
+  for (std::size_t k = 0; k < set.spheres.radii.size(); ++k) {
+    const Vector3& c = set.spheres.centres[k];
+    const double width = 1e-3 * norm(solid.box.upper - solid.box.lower);
+    const ColumnGrid column{c.x - 0.5 * width, c.y - 0.5 * width, width, width, 1, 1};
+    const ColumnParts parts = solid.columns(column).front();
+    if (std::none_of(parts.begin(), parts.end(),
+                     [&](const ColumnPart& part) { return c.z >= part.from && c.z <= part.to; }))
+      throw InputError(fmt::format("{}: the centre of sphere {} ({:g}, {:g}, {:g}) lies outside "
+                                   "the body, by {:g}; give spheres "
+                                   "of this body, in the same unit and frame",
+                                   set.source, k + 1, c.x, c.y, c.z, solid.distance(c)));
+  }
+}
+
+Row measures_row(const UnionMeasures& m) {
+  return {
+      {"volume_m3", "volume", "m3", m.volume},       {"surface_m2", "surface", "m2", m.surface},
+      {"centre_x_m", "centre x", "m", m.centre.x},   {"centre_y_m", "centre y", "m", m.centre.y},
+      {"centre_z_m", "centre z", "m", m.centre.z},   {"inertia_xx_m5", "I_xx", "m5", m.inertia.xx},
+      {"inertia_yy_m5", "I_yy", "m5", m.inertia.yy}, {"inertia_zz_m5", "I_zz", "m5", m.inertia.zz},
+      {"inertia_xy_m5", "I_xy", "m5", m.inertia.xy}, {"inertia_xz_m5", "I_xz", "m5", m.inertia.xz},
+      {"inertia_yz_m5", "I_yz", "m5", m.inertia.yz}};
+}
+
+void append_comparison(Row& row, const UnionMeasures& m, const SphereSet& set,
+                       const Target& target) {
+  const Solid& solid = *target.solid;
+  const OutlineDistances d = outline_distances(set, solid);
+  const auto length = [&](const char* key, const char* name, double value) {
+    row.push_back(
+        {std::string(key) + "_" + target.unit_name, name, target.unit_name, value / target.unit});
+  };
+  row.push_back({"volume_ratio", "volume ratio", "", m.volume / solid.volume});
+  row.push_back({"surface_ratio", "surface ratio", "", m.surface / solid.surface});
+  row.push_back({"in_exactly_one", "volume in exactly one", "",
+                 share_in_exactly_one(set, solid, comparison_columns)});
+  length("largest_to_spheres", "outline to spheres, largest", d.largest_to_spheres);
+  length("mean_to_spheres", "outline to spheres, mean", d.mean_to_spheres);
+  length("largest_to_body", "spheres to outline, largest", d.largest_to_solid);
+  length("mean_to_body", "spheres to outline, mean", d.mean_to_solid);
+  row.push_back({"inertia_xx_ratio", "I_xx ratio", "", m.inertia.xx / solid.inertia.xx});
+  row.push_back({"inertia_yy_ratio", "I_yy ratio", "", m.inertia.yy / solid.inertia.yy});
+  row.push_back({"inertia_zz_ratio", "I_zz ratio", "", m.inertia.zz / solid.inertia.zz});
+  length("centre_distance", "distance of the centres", norm(m.centre - solid.centre));
+}
+
+Table table_of(const std::vector<NamedSet>& sets, const Target& target) {
+  Table table{"Sets of spheres", {}};
+  for (const NamedSet& set : sets) {
+    Row row{{"source", "source", "", set.source},
+            {"subspheres", "N", "", static_cast<std::int64_t>(set.spheres.count())},
+            {"spacing", "spacing", "", set.spacing}};
+    const UnionMeasures m = measure_union(set.spheres);
+    const Row measures = measures_row(m);
+    row.insert(row.end(), measures.begin(), measures.end());
+    if (target.solid)
+      append_comparison(row, m, set.spheres, target);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+void write_if_named(const std::string& path, const std::string& text) {
+  if (!path.empty())
+    write_text(path, text);
+}
+
+/// One body of sub-spheres, seen from the side.
+std::string picture_of(const std::string& path, const SphereSet& set, const std::string& title) {
+  ParticleSet particles;
+  Particle particle;
+  particle.sphere_count = set.radii.size();
+  double reach = 0.0;
+  for (std::size_t k = 0; k < set.radii.size(); ++k) {
+    particles.spheres.push_back({set.centres[k], set.radii[k]});
+    reach = std::max(reach, norm(set.centres[k]) + set.radii[k]);
+  }
+  particle.semiaxes = {reach, reach, reach};
+  particles.particles.push_back(particle);
+  ParticleColours colours;
+  colours.colours.assign(1, Colour{});
+  colours = particle_colours(Frame(), particles, "", {}, {});
+  return space_picture(picture_format(path), particles, colours, SpaceView(), title);
+}
+
+/// Files hold the set about its centre of mass, but for CSV, which keeps the frame.
+void write_files(const NamedSet& set, const SetOptions& options, const TemplateChoice& choice) {
+  const UnionMeasures m = measure_union(set.spheres);
+  SphereBody body{fmt::format("{} N = {} ({})", set.source, set.spheres.count(), set.spacing),
+                  set.spheres, (1.0 / m.volume) * m.inertia};
+  for (Vector3& centre : body.spheres.centres)
+    centre -= m.centre;
+  write_if_named(choice.multisphere, host_multisphere_file(body.spheres));
+  if (!choice.multisphere.empty() && choice.mass > 0.0)
+    fmt::print(stderr, "of fix particletemplate/multisphere: {}\n",
+               host_multisphere_words(body, choice.multisphere, choice.mass));
+  write_if_named(choice.molecule, molecule_file(body, choice.mass));
+  write_if_named(choice.spheres, spheres_csv(set.spheres));
+  if (!options.picture.empty())
+    write_text(options.picture, picture_of(options.picture, body.spheres, body.title));
+}
+
+bool has_files(const SetOptions& options, const TemplateChoice& choice) {
+  return !(choice.multisphere + choice.molecule + choice.spheres + options.picture).empty();
+}
+
+int run_needed(const SetOptions& options, const OutputOptions& output) {
+  const Table table = needed_table(options.needed_within, options.ratios);
+  write_table(output, table);
+  if (!options.map.empty())
+    write_text(options.map,
+               draw_map(picture_format(options.map), table,
+                        {"b_a", "", {"c_a"}, "medial", "N needed, spacing medial"}, 700, 560));
+  return exit_good;
+}
+
+/// What is given as the body: a surface before an ellipsoid.
+Target target_of(const SetOptions& options, const std::optional<MeshClumps>& clumps) {
+  if (clumps)
+    return {clumps->solid(), std::cbrt(0.75 * clumps->solid().volume / M_PI), "r_V"};
+  if (options.semiaxes.empty())
+    return {};
+  for (const double axis : options.semiaxes)
+    if (!std::isfinite(axis) || !(axis > 0.0))
+      throw InputError("--semiaxes needs three finite values > 0");
+  return {solid_ellipsoid(semiaxes_of(options)),
+          *std::min_element(options.semiaxes.begin(), options.semiaxes.end()), "c"};
+}
+
+} // namespace
+
+int run_sets(const SetOptions& options, const TemplateChoice& choice, OutputOptions output) {
+  if (options.needed_within > 0.0)
+    return run_needed(options, output);
+  std::optional<MeshClumps> clumps;
+  if (!options.mesh.empty())
+    clumps.emplace(checked_closed(read_stl(options.mesh), options.mesh));
+  const Target target = target_of(options, clumps);
+  std::vector<NamedSet> sets;
+  if (!options.clump.empty())
+    sets.push_back({options.clump, "of the file", checked_list(options.clump)});
+  else
+    sets = clumps ? mesh_sets(options, choice, *clumps) : ellipsoid_sets(options, choice);
+  if (!options.clump.empty() && target.solid)
+    check_inside(sets.front(), *target.solid);
+  if (has_files(options, choice) && sets.size() != 1)
+    throw InputError("files hold one template: give one --subspheres, or a --tolerance");
+  for (const std::string* file : {&choice.multisphere, &choice.molecule, &choice.spheres})
+    output.quiet = output.quiet || *file == "-";
+  write_table(output, table_of(sets, target));
+  if (has_files(options, choice))
+    write_files(sets.front(), options, choice);
+  return exit_good;
+}
+
+void add_set_options(CLI::App& command, SetOptions& options) {
+  command
+      .add_option("--semiaxes", options.semiaxes,
+                  "a b c along x, y, z (m): a set of spheres in a plane for this ellipsoid; with "
+                  "--clump: what the list is compared with")
+      ->expected(3);
+  command.add_option("--clump", options.clump,
+                     "read a list of spheres: the host's multisphere file, CSV, CLUMP's output");
+  command.add_option("--from", options.mesh,
+                     "STL file of a closed surface: a clump for this body; with --clump: what the "
+                     "list is compared with");
+  command.add_option("--picture", options.picture, "draw the spheres, SVG or PNG");
+  CLI::Option* needed =
+      command.add_option("--needed", options.needed_within,
+                         "table of the N needed to come within this share of the volume, over b/a "
+                         "and c/a, for medial and minimax_volume");
+  needed->check(CLI::Range(1e-4, 0.5));
+  command.add_option("--ratios", options.ratios, "of --needed: values of b/a and c/a")
+      ->delimiter(',')
+      ->check(CLI::Range(0.01, 1.0))
+      ->capture_default_str()
+      ->needs(needed);
+  command.add_option("--map", options.map, "of --needed: draw N of medial, SVG or PNG")
+      ->needs(needed);
+  for (const char* other : {"--semiaxes", "--clump", "--from", "--picture"})
+    needed->excludes(command.get_option(other));
+  command.get_option("--from")->excludes(command.get_option("--semiaxes"));
+}
+
+} // namespace ellipsoid::post

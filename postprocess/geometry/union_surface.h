@@ -1,0 +1,40 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// The surface of a union of spheres: points on it, and the distance from it.
+#pragma once
+
+#include "multisphere/clump.h"
+
+#include <vector>
+
+namespace ellipsoid::post {
+
+/// A point of a surface and the area that it stands for.
+struct SurfacePoint {
+  Vector3 place;
+  double area = 0.0; ///< (length^2)
+};
+
+/// Points spread evenly over the uncovered parts of the spheres, about `count` over all spheres.
+std::vector<SurfacePoint> union_surface_points(const SphereSet& set, int count);
+
+/// Of the unit sphere: a lattice of the golden angle.
+std::vector<Vector3> unit_sphere_points(int count);
+
+/// Distance of points from the surface of a union, inside or outside (length, >= 0).
+class UnionDistance {
+ public:
+  explicit UnionDistance(const SphereSet& set) : m_set(set) {}
+
+  /// Exact outside, and inside where the nearest point lies on a sphere or in the seam of two
+  /// spheres; where only corners of three spheres are nearer than anything else, too large.
+  double from(const Vector3& point) const;
+
+ private:
+  bool is_uncovered(const Vector3& point, std::size_t k, std::size_t l) const;
+  double from_seams(const Vector3& point, double reached) const;
+
+  const SphereSet& m_set;
+};
+
+} // namespace ellipsoid::post

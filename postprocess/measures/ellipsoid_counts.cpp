@@ -1,0 +1,78 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "ellipsoid_counts.h"
+
+#include "multisphere/ellipsoid_spheres.h"
+#include "sphere_set_measures.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace ellipsoid::post {
+namespace {
+
+constexpr int quick_columns = 120; ///< of the search
+
+/// The error of a set, infinite where the spheres are not one body.
+class Errors {
+ public:
+  Errors(const Vector3& semiaxes, SphereSpacing spacing, SetError what)
+      : m_semiaxes(semiaxes), m_spacing(spacing), m_what(what), m_solid(solid_ellipsoid(semiaxes)) {
+  }
+
+  double of(int count, int along) const {
+    const SphereSet set = place_ellipsoid_spheres(m_semiaxes, count, m_spacing);
+    const std::vector<int> parts = connected_parts(set);
+    if (*std::max_element(parts.begin(), parts.end()) > 0)
+      return std::numeric_limits<double>::infinity();
+    if (m_what == SetError::volume)
+      return share_in_exactly_one(set, m_solid, along);
+    const OutlineDistances found = outline_distances(set, m_solid);
+    return std::max(found.largest_to_solid, found.largest_to_spheres) /
+           std::min({m_semiaxes.x, m_semiaxes.y, m_semiaxes.z});
+  }
+  bool are_within(double tolerance, int count, int along) const {
+    return of(count, along) <= tolerance;
+  }
+
+ private:
+  Vector3 m_semiaxes;
+  SphereSpacing m_spacing;
+  SetError m_what;
+  Solid m_solid;
+};
+
+} // namespace
+
+double error_of(const Vector3& semiaxes, int count, SphereSpacing spacing, SetError what) {
+  return Errors(semiaxes, spacing, what).of(count, comparison_columns);
+}
+
+int count_within(const Vector3& semiaxes, SphereSpacing spacing, SetError what, double tolerance) {
+  const Errors errors(semiaxes, spacing, what);
+  const int most = largest_count_of(spacing);
+  const auto odd = [](int n) { return n + (n + 1) % 2; };
+  int low = 0, high = 1;
+  while (!errors.are_within(tolerance, high, quick_columns)) {
+    if (high == most)
+      throw std::invalid_argument(fmt::format(
+          "multisphere template: no N up to {} with spacing {} comes within {:g} at semi-axes {:g} "
+          "{:g} {:g}: allow a larger tolerance",
+          most, word_of(spacing), tolerance, semiaxes.x, semiaxes.y, semiaxes.z));
+    low = high;
+    high = std::min(odd(2 * high), most);
+  }
+  while (high - low > 2) {
+    const int middle = odd((low + high) / 2);
+    if (middle >= high)
+      break;
+    (errors.are_within(tolerance, middle, quick_columns) ? high : low) = middle;
+  }
+  while (high < most && !errors.are_within(tolerance, high, comparison_columns))
+    high += 2;
+  return high;
+}
+
+} // namespace ellipsoid::post

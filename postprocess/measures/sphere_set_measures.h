@@ -1,0 +1,43 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// A set of spheres beside the solid that it stands for: an ellipsoid, or what a mesh encloses.
+#pragma once
+
+#include "solid_columns.h"
+#include "union_surface.h"
+
+#include <functional>
+#include <vector>
+
+namespace ellipsoid::post {
+
+/// What sets of spheres are compared with.
+struct Solid {
+  double volume = 0.0, surface = 0.0; ///< (length^3, length^2)
+  Vector3 centre;                     ///< of mass, density constant (length)
+  SymmetricMatrix3 inertia;           ///< about it, density 1 (length^5)
+  SolidBox box;
+  std::vector<SurfacePoint> points; ///< of its surface
+  std::function<SolidColumns(const ColumnGrid&)> columns;
+  std::function<double(const Vector3&)> distance; ///< from its surface, >= 0 (length)
+};
+
+/// About the origin, semi-axes along x, y, z.
+Solid solid_ellipsoid(const Vector3& semiaxes);
+
+/// Distances between two outlines (length). Largest ones are those of some ten thousand points, and
+/// so may be too small by their distances squared.
+struct OutlineDistances {
+  double largest_to_spheres = 0.0, mean_to_spheres = 0.0; ///< from points of the solid's surface
+  double largest_to_solid = 0.0, mean_to_solid = 0.0;     ///< from points of the spheres'
+};
+
+/// Columns over the longer side with which volumes are known to 1e-4 of the solid's.
+constexpr int comparison_columns = 400;
+
+/// The volume in exactly one of the two as a share of the solid's.
+double share_in_exactly_one(const SphereSet& set, const Solid& solid, int columns_along);
+
+OutlineDistances outline_distances(const SphereSet& set, const Solid& solid);
+
+} // namespace ellipsoid::post

@@ -1,0 +1,270 @@
+# Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+"""Sets of spheres of `template`: for ellipsoids of any axes, from lists, from surfaces.
+
+Oracles are random points, points of surfaces and sums over triangles, all in numpy.
+"""
+import struct
+
+import numpy as np
+
+from _synthetic import post, rows_of, write
+
+SEMIAXES = np.array([3e-3, 1e-3, 2e-3])  # the longest axis is not the second, none are equal
+
+
+def spheres_of(*arguments):
+    """Centres (N, 3) and radii (N,) of the set that `template` makes (m)."""
+    text = post("template", *arguments, "--spheres", "-")[0]
+    values = np.array([line.split(",")[1:] for line in text.splitlines()[1:]], float)
+    return values[:, :3], values[:, 3]
+
+
+def in_union(points, centres, radii):
+    """Whether points (M, 3) are in one of the spheres."""
+    inside = np.zeros(len(points), bool)
+    for centre, radius in zip(centres, radii):
+        inside |= ((points - centre) ** 2).sum(1) < radius * radius
+    return inside
+
+
+def in_ellipsoid(points, semiaxes):
+    return ((points / semiaxes) ** 2).sum(1) < 1.0
+
+
+def random_share(semiaxes, centres, radii, count=400000):
+    """Volume in exactly one of the two over the ellipsoid's, and its standard deviation."""
+    box = 1.1 * semiaxes
+    points = np.random.default_rng(7).uniform(-box, box, (count, 3))
+    share = np.mean(in_union(points, centres, radii) != in_ellipsoid(points, semiaxes))
+    scale = np.prod(2.0 * box) / (4.0 / 3.0 * np.pi * np.prod(semiaxes))
+    return scale * share, scale * np.sqrt(share * (1.0 - share) / count)
+
+
+def sphere_points(count):
+    """Even over the unit sphere."""
+    k = np.arange(count)
+    z = 1.0 - (2.0 * k + 1.0) / count
+    angle = np.pi * (3.0 - 5.0 ** 0.5) * k
+    return np.stack([np.sqrt(1.0 - z * z) * np.cos(angle), np.sqrt(1.0 - z * z) * np.sin(angle), z], 1)
+
+
+def distance_to_spheres(points, centres, radii):
+    """Of points outside all of them."""
+    return (np.linalg.norm(points[:, None] - centres[None], axis=2) - radii).min(1)
+
+
+def largest_from_spheres(centres, radii):
+    """Largest distance of the spheres' uncovered points from points of the ellipsoid (inside it)."""
+    body, largest = sphere_points(20000) * SEMIAXES, 0.0
+    for k, (centre, radius) in enumerate(zip(centres, radii)):
+        points = centre + radius * sphere_points(1500)
+        others = np.arange(len(radii)) != k
+        points = points[~in_union(points, centres[others], radii[others])]
+        for part in np.array_split(points, max(1, len(points) // 100)):
+            if len(part):
+                apart = np.linalg.norm(part[:, None] - body[None], axis=2).min(1)
+                largest = max(largest, apart.max())
+    return largest
+
+
+def check_ellipsoid_sets():
+    for spacing in ("medial", "minimax_volume"):
+        arguments = ("--semiaxes", *SEMIAXES, "--subspheres", 33, "--spacing", spacing)
+        (row,) = rows_of("template", *arguments)
+        centres, radii = spheres_of(*arguments)
+        assert len(radii) == 33
+        assert np.all(centres[:, 1] == 0.0)  # the plane of the two larger semi-axes
+        share, deviation = random_share(SEMIAXES, centres, radii)
+        found = float(row["in_exactly_one"])
+        assert abs(found - share) < 5.0 * deviation + 1e-4, (spacing, found, share)
+        if spacing == "medial":  # inscribed
+            assert abs(1.0 - float(row["volume_ratio"]) - found) < 2e-4
+            gaps = distance_to_spheres(sphere_points(20000) * SEMIAXES, centres, radii)
+            assert abs(gaps.max() / 1e-3 - float(row["largest_to_spheres_c"])) < 0.01, row
+            back = largest_from_spheres(centres, radii)
+            assert abs(back / 1e-3 - float(row["largest_to_body_c"])) < 0.03, (row, back)
+            assert float(row["inertia_xx_ratio"]) < 1.0
+        assert abs(float(row["centre_distance_c"])) < 1e-12
+    assert found < 0.7 * (1.0 - float(rows_of("template", "--semiaxes", *SEMIAXES, "--subspheres",
+                                              33)[0]["volume_ratio"]))
+
+
+def check_tolerance():
+    (row,) = rows_of("template", "--semiaxes", *SEMIAXES, "--tolerance", 0.08)
+    n = int(row["subspheres"])
+    assert n % 2 == 1 and float(row["in_exactly_one"]) <= 0.08
+    share, _ = random_share(SEMIAXES, *spheres_of("--semiaxes", *SEMIAXES, "--subspheres", n))
+    fewer, _ = random_share(SEMIAXES, *spheres_of("--semiaxes", *SEMIAXES, "--subspheres", n - 6))
+    assert share < 0.083 and fewer > 0.077, (n, share, fewer)
+    (row,) = rows_of("template", "--semiaxes", *SEMIAXES, "--tolerance", 0.05, "--measure", "outline",
+                     "--spacing", "minimax_volume")
+    assert max(float(row["largest_to_spheres_c"]), float(row["largest_to_body_c"])) <= 0.05
+    rows = rows_of("template", "--needed", 0.1, "--ratios", "0.6,1")
+    assert [(row["b_a"], row["c_a"]) for row in rows] == [("0.6", "0.6"), ("1", "0.6")], rows
+    for row in rows:
+        (at,) = rows_of("template", "--semiaxes", 1, row["b_a"], row["c_a"], "--subspheres",
+                        row["medial"])
+        assert float(at["in_exactly_one"]) <= 0.1, at
+        assert int(row["minimax_volume"]) <= int(row["medial"])
+
+
+def check_lists():
+    """The three kinds of list; files that are written hold the same body."""
+    centres = np.array([[0.0, 0.0, 0.0], [1.0, 0.5, 0.0], [0.2, 1.0, 0.7]]) + 5.0
+    radii = np.array([1.0, 0.8, 0.6])
+    rows = np.column_stack([centres, radii])
+    lines = [[repr(float(value)) for value in row] for row in rows]
+    write("host.txt", "\n".join(" ".join(line) for line in lines) + "\n")
+    write("clump.txt", "\n".join(",".join(line) for line in lines) + "\n")
+    write("named.csv", "name,r,x,y,z\n" + "\n".join(
+        ",".join([f"s{k}", line[3], *line[:3]]) for k, line in enumerate(lines)) + "\n")
+    points = np.random.default_rng(3).uniform(3.5, 7.5, (400000, 3))
+    inside = in_union(points, centres, radii)
+    volume = 64.0 * inside.mean()
+    deviation = 64.0 * np.sqrt(inside.mean() * (1.0 - inside.mean()) / len(points))
+    mean = points[inside].mean(0)
+    for name in ("host.txt", "clump.txt", "named.csv"):
+        (row,) = rows_of("template", "--clump", name)
+        assert abs(float(row["volume_m3"]) - volume) < 5.0 * deviation
+        for axis, wanted in zip("xyz", mean):
+            assert abs(float(row[f"centre_{axis}_m"]) - wanted) < 0.01, row
+    moments = np.mean(((points[inside] - mean) ** 2).sum(1)) * np.eye(3) - np.cov(
+        points[inside].T, bias=True)
+    post("template", "--clump", "named.csv", "--multisphere", "out.txt", "--molecule", "out.mol",
+         "--spheres", "out.csv", "--mass", 2.0, "--picture", "out.svg")
+    written = np.loadtxt("out.txt")
+    assert np.allclose(written[:, 3], radii, rtol=1e-15)
+    assert np.allclose(written[:, :3] - written[0, :3], centres - centres[0], atol=1e-12)
+    assert np.allclose(written[0, :3] + mean, centres[0], atol=0.01)
+    inertia = [float(value) for value in
+               next(line for line in open("out.mol") if "inertia" in line).split()[:6]]
+    wanted = 2.0 * moments[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
+    assert np.allclose(inertia, wanted, atol=0.02), (inertia, wanted)
+    assert open("out.svg").read().startswith("<?xml") or "<svg" in open("out.svg").read(200)
+    (again,) = rows_of("template", "--clump", "out.csv")
+    assert again["volume_m3"] == row["volume_m3"]
+
+
+def check_bad_lists():
+    def error_of(text, *more):
+        write("bad.txt", text)
+        _, error = post("template", "--clump", "bad.txt", *more, expect=1)
+        assert error.count("\n") == 1, error
+        return error
+
+    assert "radius 0" in error_of("0 0 0 1\n1 0 0 0\n")
+    assert "2 bodies apart" in error_of("0 0 0 1\n3 0 0 1\n")
+    assert "line 2" in error_of("0 0 0 1\n1 0 0\n")
+    assert "line 2" in error_of("0 0 0 1\n1 0 zero 1\n")
+    assert "no sphere" in error_of("# nothing\n")
+    assert "allowed are 1 to 9999" in error_of("0 0 0 1\n" * 100000)
+    error = error_of("0 0 0 1\n0 0 2.5 1.6\n", "--semiaxes", 2, 2, 2.2)
+    assert "sphere 2" in error and "outside the body, by 0.3" in error, error
+    for name, text in (("missing.txt", "cannot be opened"),):
+        assert text in post("template", "--clump", name, expect=1)[1]
+    with open("binary.txt", "wb") as file:
+        file.write(bytes(range(256)))
+    assert "no text" in post("template", "--clump", "binary.txt", expect=1)[1]
+    for arguments, text in (
+            (("--semiaxes", 3, 2, 1, "--spacing", "paper"), "b = c"),
+            (("--semiaxes", 3, 2, 0), "> 0"),
+            (("--semiaxes", 3, 2, 1, "--subspheres", 4), "odd"),
+            (("--semiaxes", 5, 5, 1, "--subspheres", 5), "is enough"),
+            (("--semiaxes", 3, 2, 1, "--aspect", 2), "is for chains"),
+            (("--semiaxes", 3, 2, 1, "--tolerance", 0.1, "--measure", "area"), "section of a chain"),
+            (("--picture", "a.svg"), "--semiaxes, --clump or --from"),
+            (("--semiaxes", 2, 1.5, 1, "--subspheres", "13,33", "--spheres", "a.csv"), "one template")):
+        _, error = post("template", *arguments, expect=1)
+        assert text in error.splitlines()[-1], (arguments, error)
+
+
+def box_triangles(size):
+    """(12, 3, 3) of a box from the origin, turned outwards."""
+    corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]) * np.array(size)
+    quads = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
+    return np.array([corners[[a, b, c]] for p, q, r, s in quads for a, b, c in ((p, q, r), (p, r, s))],
+                    float)
+
+
+def ellipsoid_triangles(semiaxes, rings=24, parts=36):
+    """A mesh of latitudes and longitudes, (M, 3, 3)."""
+    t = np.pi * np.arange(rings + 1) / rings
+    f = 2.0 * np.pi * np.arange(parts) / parts
+    grid = np.array([[[np.sin(a) * np.cos(b), np.sin(a) * np.sin(b), np.cos(a)] for b in f] for a in t])
+    grid[0], grid[-1] = (0.0, 0.0, 1.0), (0.0, 0.0, -1.0)
+    triangles = []
+    for i in range(rings):
+        for j in range(parts):
+            p, q = grid[i, j], grid[i, (j + 1) % parts]
+            r, s = grid[i + 1, j], grid[i + 1, (j + 1) % parts]
+            triangles += [(p, r, s)] * (i < rings - 1) + [(p, s, q)] * (i > 0)
+    return np.array(triangles) * np.array(semiaxes)
+
+
+def write_stl(name, triangles, binary):
+    if binary:
+        with open(name, "wb") as file:
+            file.write(bytes(80) + struct.pack("<I", len(triangles)))
+            for t in triangles:
+                file.write(struct.pack("<12fH", 0, 0, 0, *t.ravel(), 0))
+        return
+    facets = "".join("facet normal 0 0 0\nouter loop\n" + "".join(
+        "vertex {} {} {}\n".format(*map(float, p)) for p in t) + "endloop\nendfacet\n" for t in triangles)
+    write(name, "solid body\n" + facets + "endsolid body\n")
+
+
+def check_surfaces():
+    semiaxes = np.array([1.0, 0.6, 0.8])
+    triangles = ellipsoid_triangles(semiaxes)
+    # unevenly rounded corners would not be joined: the ASCII file holds all digits
+    write_stl("ellipsoid.stl", triangles, False)
+    for spacing, most in (("medial", 0.13), ("minimax_volume", 0.08)):
+        (row,) = rows_of("template", "--from", "ellipsoid.stl", "--subspheres", 20, "--spacing", spacing)
+        centres, radii = spheres_of("--from", "ellipsoid.stl", "--subspheres", 20, "--spacing", spacing)
+        assert len(radii) == 20
+        share, deviation = random_share(semiaxes, centres, radii)
+        found = float(row["in_exactly_one"])
+        assert abs(found - share) < 5.0 * deviation + 0.02, (found, share)  # mesh against ellipsoid
+        assert found < most, (spacing, found)
+    (row,) = rows_of("template", "--from", "ellipsoid.stl", "--tolerance", 0.1)
+    assert float(row["in_exactly_one"]) <= 0.1 and 5 < int(row["subspheres"]) < 60, row
+    # a box: volume and centre are known; inscribed balls stay inside
+    write_stl("box.stl", box_triangles((3.0, 2.0, 1.0))[:, ::-1], True)  # inside out is mended
+    post("template", "--from", "box.stl", "--spheres", 30, "--multisphere", "box.txt")
+    (row,) = rows_of("template", "--from", "box.stl", "--spheres", 30)
+    assert int(row["subspheres"]) == 30
+    assert abs(float(row["volume_m3"]) / float(row["volume_ratio"]) - 6.0) < 1e-5
+    centres, radii = spheres_of("--from", "box.stl", "--subspheres", 30)
+    assert np.all(centres - radii[:, None] > -1e-6)
+    assert np.all(centres + radii[:, None] < np.array([3.0, 2.0, 1.0]) + 1e-6)
+    points = np.random.default_rng(5).uniform((0, 0, 0), (3, 2, 1), (200000, 3))
+    inside = in_union(points, centres, radii).mean()
+    assert abs(float(row["volume_ratio"]) - inside) < 0.006, (row, inside)
+    write("ball.csv", "1.5,1,0.5,0.5\n")
+    (row,) = rows_of("template", "--clump", "ball.csv", "--from", "box.stl")
+    assert abs(float(row["in_exactly_one"]) - (1.0 - np.pi / 6.0 / 6.0)) < 1e-3
+
+
+def check_bad_surfaces():
+    write_stl("open.stl", box_triangles((1.0, 1.0, 1.0))[1:], True)
+    _, error = post("template", "--from", "open.stl", expect=1)
+    assert "not closed: 3 of 18 edges" in error and error.count("\n") == 1, error
+    turned = box_triangles((1.0, 1.0, 1.0))
+    turned[4] = turned[4][::-1]
+    write_stl("turned.stl", turned, False)
+    assert "not closed" in post("template", "--from", "turned.stl", expect=1)[1]
+    write("words.stl", "these are words\n")
+    assert "STL file" in post("template", "--from", "words.stl", expect=1)[1]
+    write_stl("box.stl", box_triangles((1.0, 1.0, 1.0)), True)
+    _, error = post("template", "--from", "box.stl", "--spacing", "paper", "--subspheres", 5, expect=1)
+    assert "medial or minimax_volume" in error, error
+    _, error = post("template", "--from", "box.stl", "--subspheres", 100000, expect=1)
+    assert "allowed are 1 to" in error, error
+
+
+check_ellipsoid_sets()
+check_tolerance()
+check_lists()
+check_bad_lists()
+check_surfaces()
+check_bad_surfaces()
