@@ -129,7 +129,10 @@ const std::vector<UnsuitedStyles>& unsuited_styles() {
       {"compute", {"reduce/sph"}, "is for SPH particles; use 'compute reduce'"},
       {"fix",
        {"continuum/weighted"},
-       "takes one contact for each pair, whatever the surface; use 'fix ID GROUP ave/euler'"},
+       "leaves out particles beyond the lists of contacts, takes one contact for each pair, and "
+       "its "
+       "kernel at the square of the distance; use 'fix ID GROUP ave/euler', or 'ellipsoid-post "
+       "fields'"},
       // --- pictures
       {"dump",
        {"local/gran/vtk"},

@@ -8,10 +8,12 @@
 #include "error.h"
 #include "fix_property_atom.h"
 #include "fix_property_global.h"
+#include "force.h"
 #include "law/time_scales.h"
 #include "modify.h"
 #include "multisphere_particles.h"
 #include "neighbor.h"
+#include "pair.h"
 #include "update.h"
 
 #include <algorithm>
@@ -22,6 +24,10 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using ellipsoid_host::vector;
+
+namespace {
+constexpr int default_interval = 1000; // steps between two looks of the fix of make_sure()
+}
 
 FixCheckTimestepEllipsoid::FixCheckTimestepEllipsoid(LAMMPS* lmp, int narg, char** arg)
     : Fix(lmp, narg, arg) {
@@ -56,13 +62,22 @@ void FixCheckTimestepEllipsoid::parse(int narg, char** arg) {
 
 int FixCheckTimestepEllipsoid::setmask() { return END_OF_STEP; }
 
+void FixCheckTimestepEllipsoid::setup(int) {
+  fractions_[rayleigh] = 0.0; // not measured in this run
+  end_of_step();
+}
+
 void FixCheckTimestepEllipsoid::init() {
   const auto find = [this](const char* name) {
-    return static_cast<FixPropertyGlobal*>(
-        modify->find_fix_property(name, "property/global", "peratomtype", atom->ntypes, 0, style));
+    return static_cast<FixPropertyGlobal*>(modify->find_fix_property(
+        name, "property/global", "peratomtype", atom->ntypes, 0, style, !is_default_));
   };
   youngs_modulus_ = find("youngsModulus");
   poissons_ratio_ = find("poissonsRatio");
+  is_superfluous_ =
+      is_default_ && (modify->n_fixes_style(style) > 1 || !youngs_modulus_ || !poissons_ratio_);
+  if (is_superfluous_)
+    return;
   check_material();
   chains_.reset(new ellipsoid_host::MultisphereParticles(lmp));
 }
@@ -141,24 +156,54 @@ void FixCheckTimestepEllipsoid::measure() {
   fractions_[2] = neighbor->skin > 0.0 ? relative_speed * update->dt / neighbor->skin : 0.0;
 }
 
-void FixCheckTimestepEllipsoid::report(int which, const std::string& of_what) const {
+/// Between particles, at present, on all ranks.
+double FixCheckTimestepEllipsoid::contacts() const {
+  int dimension = 0;
+  const void* count = force->pair ? force->pair->extract("contacts", dimension) : nullptr;
+  double mine = count ? *static_cast<const double*>(count) : 0.0, all = 0.0;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+void FixCheckTimestepEllipsoid::report(int which, const std::string& of_what) {
   if (fractions_[which] <= limits_[which])
     return;
   char numbers[80];
   std::snprintf(numbers, sizeof numbers, "%.3g, allowed is up to %.3g", fractions_[which],
                 limits_[which]);
-  const std::string message = "Fix check/timestep/ellipsoid (id " + std::string(id) +
-                              "): the time step over " + of_what + " is " + numbers +
-                              "; use a smaller time step";
-  if (stops_)
+  const std::string name = is_default_
+                               ? "The check of the time step"
+                               : "Fix check/timestep/ellipsoid (id " + std::string(id) + ")";
+  const std::string message =
+      name + ": the time step over " + of_what + " is " + numbers + "; use a smaller time step" +
+      (is_default_ ? ", or 'fix ID all check/timestep/ellipsoid' with limits of your own" : "");
+  if (stops_ || (is_default_ && which == hertz && fractions_[hertz] > 1.0 && contacts() > 0.0))
     error->all(FLERR, message.c_str());
   if (warns_ && comm->me == 0)
     error->warning(FLERR, message.c_str());
+  if (is_default_)
+    warns_ = false;
+}
+
+void FixCheckTimestepEllipsoid::make_sure(LAMMPS* lmp) {
+  static char id[] = "check_timestep_ellipsoid", all[] = "all",
+              style[] = "check/timestep/ellipsoid", every[] = "1", limit[] = "0.5";
+  char* arguments[] = {id, all, style, every, limit, limit};
+  Modify& modify = *lmp->modify;
+  if (modify.n_fixes_style(style) > 0)
+    return;
+  modify.add_fix(6, arguments);
+  static_cast<FixCheckTimestepEllipsoid*>(modify.fix[modify.find_fix(id)])->is_default_ = true;
 }
 
 void FixCheckTimestepEllipsoid::end_of_step() {
-  measure();
-  report(0, "the smallest Rayleigh time");
-  report(1, "the shortest duration of a collision (Hertz)");
-  report(2, "the time in which two particles can cross the skin");
+  if (is_superfluous_)
+    return;
+  if (!is_default_ || update->ntimestep % default_interval == 0 || fractions_[rayleigh] == 0.0)
+    measure();
+  else if (fractions_[hertz] <= 1.0)
+    return;
+  report(rayleigh, "the smallest Rayleigh time");
+  report(hertz, "the shortest duration of a collision (Hertz)");
+  report(skin, "the time in which two particles can cross the skin");
 }

@@ -29,15 +29,22 @@ class FixCheckTimestepEllipsoid : public Fix {
   int setmask() override;
   void init() override;
   /// A time step that is far too long is said before anything flies apart.
-  void setup(int) override { end_of_step(); }
+  void setup(int) override;
   void end_of_step() override;
   double compute_vector(int n) override { return fractions_[n]; }
 
+  /// Makes one for scripts that have none of their own. It warns once, and stops where particles
+  /// touch and a collision would be over within a step.
+  static void make_sure(LAMMPS* lmp);
+
  private:
+  enum { rayleigh, hertz, skin };      // fractions
   double limits_[3] = {0.0, 0.0, 1.0}; // of the fractions
   double fractions_[3] = {0.0, 0.0, 0.0};
   bool warns_ = true, stops_ = false;
-  double largest_speed_ = 0.0; // given by the user (length/time)
+  double largest_speed_ = 0.0;  // given by the user (length/time)
+  bool is_default_ = false;     // made by make_sure()
+  bool is_superfluous_ = false; // the script has one of its own, or laws without Hertz's constants
   class FixPropertyGlobal* youngs_modulus_ = nullptr;
   class FixPropertyGlobal* poissons_ratio_ = nullptr;
   std::unique_ptr<ellipsoid_host::MultisphereParticles> chains_;
@@ -49,7 +56,8 @@ class FixCheckTimestepEllipsoid : public Fix {
   double rayleigh_time(int i, bool multisphere, double shear_modulus, double ratio);
   double smallest_mass2_over_radius(int i, bool multisphere);
   void measure();
-  void report(int which, const std::string& of_what) const;
+  double contacts() const;
+  void report(int which, const std::string& of_what);
 };
 
 } // namespace LAMMPS_NS

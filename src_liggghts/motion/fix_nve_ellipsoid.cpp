@@ -4,6 +4,7 @@
 #include "atom.h"
 #include "ellipsoid_host.h"
 #include "error.h"
+#include "fix_check_timestep_ellipsoid.h"
 #include "fix_property_atom.h"
 #include "force.h"
 #include "modify.h"
@@ -78,6 +79,7 @@ FixPropertyAtom* FixNVEEllipsoid::find_derivatives(const char* what) const {
 
 /// The derivatives go with the atoms to other ranks and to restart files.
 void FixNVEEllipsoid::post_create() {
+  FixCheckTimestepEllipsoid::make_sure(lmp);
   if (!gear_)
     return;
   for (const auto& [what, count] : {std::make_pair("translation", translation_values),

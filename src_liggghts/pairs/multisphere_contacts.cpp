@@ -34,6 +34,17 @@ void MultisphereContacts::read_settings(const ModelSettings& settings) {
   pair_.repeat_history(slots_);
 }
 
+inline int MultisphereContacts::slots(const NearPair& pair) const {
+  return slots_ + static_cast<int>(pair_.more_history().size(pair.index)) / slot_values_;
+}
+
+inline double* MultisphereContacts::slot(const NearPair& pair, int number) const {
+  if (number < slots_)
+    return &pair.history[slot_values_ * number];
+  return pair_.more_history().at(pair.index,
+                                 static_cast<std::size_t>(slot_values_ * (number - slots_)));
+}
+
 ContactCounts MultisphereContacts::compute(PairForces& forces, bool is_time_step) {
   counts_ = ContactCounts();
   particles_ = ParticleArrays(*atom);
@@ -136,8 +147,8 @@ void MultisphereContacts::add_contacts(const NearPair& pair, const Vector3& dist
   for (int k = 0; k < found_; ++k) {
     const ellipsoid::NearSpheres::Touching& touching = touching_[static_cast<std::size_t>(k)];
     const ellipsoid::SphereContact& c = touching.contact;
-    forces.add({pair.i, pair.j, pair.flag, &pair.history[slot_values_ * touching.spheres->slot],
-                weight, c.sphere_i, c.sphere_j},
+    forces.add({pair.i, pair.j, pair.flag, slot(pair, touching.spheres->slot), weight, c.sphere_i,
+                c.sphere_j},
                {-c.normal, c.point, c.point - distance, std::max(0.0, c.overlap), c.reduced_radius,
                 c.radius_i, c.radius_j});
   }
@@ -147,8 +158,8 @@ void MultisphereContacts::add_contacts(const NearPair& pair, const Vector3& dist
 /// over.
 void MultisphereContacts::recall_slots(const NearPair& pair, PairForces& forces) {
   SpherePair *begin = near_spheres_.begin(pair.index), *end = near_spheres_.end(pair.index);
-  for (int s = 0; s < slots_; ++s) {
-    double* slot = &pair.history[slot_values_ * s];
+  for (int s = 0; s < slots(pair); ++s) {
+    const double* slot = this->slot(pair, s);
     if (slot[key_sum] == 0.0)
       continue;
     SpherePair* found = std::find_if(begin, end, [slot](const SpherePair& candidate) {
@@ -158,7 +169,7 @@ void MultisphereContacts::recall_slots(const NearPair& pair, PairForces& forces)
     if (found != end)
       found->slot = static_cast<short>(s);
     else
-      close_slot(pair, slot, forces);
+      close_slot(pair, s, forces);
   }
 }
 
@@ -170,7 +181,7 @@ void MultisphereContacts::update_slots(const NearPair& pair, PairForces& forces)
     if (touching != last && touching->spheres == s) {
       ++touching;
     } else if (s->slot >= 0) {
-      close_slot(pair, &pair.history[slot_values_ * s->slot], forces);
+      close_slot(pair, s->slot, forces);
       s->slot = -1;
     }
   }
@@ -180,28 +191,39 @@ void MultisphereContacts::update_slots(const NearPair& pair, PairForces& forces)
     SpherePair* s = touching->spheres;
     if (s->slot >= 0)
       continue;
-    while (free_slot < slots_ && pair.history[slot_values_ * free_slot + key_sum] != 0.0)
-      ++free_slot;
-    if (free_slot == slots_)
-      complain_of_slots(pair);
+    free_slot = find_free_slot(pair, free_slot);
     s->slot = static_cast<short>(free_slot);
-    double* slot = &pair.history[slot_values_ * free_slot];
+    double* slot = this->slot(pair, free_slot);
     slot[key_sum] = s->sphere_i + s->sphere_j + 1;
     slot[key_difference] = s->sphere_i - s->sphere_j;
   }
 }
 
-void MultisphereContacts::close_slot(const NearPair& pair, double* slot, PairForces& forces) const {
+/// Not before `first`; a pair whose slots are full gets another one.
+int MultisphereContacts::find_free_slot(const NearPair& pair, int first) {
+  int free = first;
+  while (free < slots(pair) && slot(pair, free)[key_sum] != 0.0)
+    ++free;
+  if (free > largest_slot)
+    complain_of_slots(pair);
+  if (free == slots(pair))
+    pair_.more_history().grow(pair.index, slot_values_);
+  return free;
+}
+
+void MultisphereContacts::close_slot(const NearPair& pair, int number, PairForces& forces) {
+  double* slot = this->slot(pair, number);
   forces.close(pair.i, pair.j, pair.flag, slot);
   std::fill_n(slot, slot_values_, 0.0);
 }
 
 void MultisphereContacts::complain_of_slots(const NearPair& pair) const {
-  error->one(FLERR, ("pair_style gran/ellipsoid: atoms " + std::to_string(atom->tag[pair.i]) +
-                     " and " + std::to_string(atom->tag[pair.j]) + " touch at " +
-                     std::to_string(found_) + " places, setting 'contacts' allows " +
-                     std::to_string(slots_) + "; " + ContactModels::ContactsSetting::remedy(found_))
-                        .c_str());
+  error->one(FLERR,
+             ("pair_style gran/ellipsoid: atoms " + std::to_string(atom->tag[pair.i]) + " and " +
+              std::to_string(atom->tag[pair.j]) + " touch at " + std::to_string(found_) +
+              " places, no more than " + std::to_string(largest_slot + 1) +
+              " contacts of one pair can be kept; use fewer sub-spheres")
+                 .c_str());
   std::abort(); // not reached: the call above ends the program
 }
 

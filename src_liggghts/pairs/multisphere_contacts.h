@@ -3,9 +3,10 @@
 // Contacts of multi-sphere ellipsoids: every touching pair of sub-spheres is a contact of its own
 // (Markauskas et al. 2010, section 3.4).
 //
-// The history of a pair is a row of equal slots, one per contact. A slot starts with its key: the
-// sum of the two sphere numbers + 1 (0: free) and their difference, which changes sign when the
-// pair is seen from j; the values of the contact models follow.
+// The history of a pair is a row of equal slots, one per contact: the first `contacts` of them lie
+// in the host's lists, those that few pairs need beyond in more_history.h. A slot starts with its
+// key: the sum of the two sphere numbers + 1 (0: free) and their difference, which changes sign
+// when the pair is seen from j; the values of the contact models follow.
 #ifndef MULTISPHERE_CONTACTS_H_
 #define MULTISPHERE_CONTACTS_H_
 
@@ -16,6 +17,7 @@
 #include "particle_arrays.h"
 #include "surface_contacts.h"
 
+#include <limits>
 #include <vector>
 
 namespace LIGGGHTS {
@@ -34,6 +36,7 @@ class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers 
   /// usual; within fewer steps for fine chains, where a gap has the more spheres the wider it is.
   /// It is no nearer nor farther than these shares of both radii of the bodies' middles.
   static constexpr double look_ahead = 50.0, look_ahead_of_chain = 500.0;
+  static constexpr int largest_slot = std::numeric_limits<short>::max();
   static constexpr double smallest_gap_share = 1e-3, largest_gap_share = 0.1;
 
   LAMMPS_NS::PairGranEllipsoid& pair_;
@@ -55,9 +58,13 @@ class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers 
   void find_touching(const NearPair& pair, const ellipsoid::Vector3& distance);
   void recall_slots(const NearPair& pair, PairForces& forces);
   void update_slots(const NearPair& pair, PairForces& forces);
-  void close_slot(const NearPair& pair, double* slot, PairForces& forces) const;
+  int find_free_slot(const NearPair& pair, int first);
+  void close_slot(const NearPair& pair, int number, PairForces& forces);
   void add_contacts(const NearPair& pair, const ellipsoid::Vector3& distance, PairForces& forces);
   [[noreturn]] void complain_of_slots(const NearPair& pair) const;
+
+  int slots(const NearPair& pair) const;
+  double* slot(const NearPair& pair, int number) const;
 
   ellipsoid::MotionClocks& clocks() { return chains_.clocks(); }
   double share(int j) const { return j < particles_.owned ? 1.0 : 0.5; }

@@ -7,6 +7,7 @@
 #include "ellipsoid_models.h"
 #include "error.h"
 #include "fix_contact_history.h"
+#include "fix_contacthistory_ellipsoid.h"
 #include "force.h"
 #include "host_models.h"
 #include "model_settings.h"
@@ -19,6 +20,7 @@
 #include "update.h"
 
 #include <cstdint>
+#include <cstring>
 #include <map>
 #include <sstream>
 #include <string>
@@ -99,6 +101,13 @@ void PairGranEllipsoid::create(int64_t variant) {
 }
 
 int64_t PairGranEllipsoid::hashcode() { return models_->hashcode(); }
+
+void* PairGranEllipsoid::extract(const char* what, int& dimension) {
+  dimension = 0;
+  if (std::strcmp(what, "contacts") == 0)
+    return &counts_.values[LIGGGHTS::ContactCounts::contacts];
+  return PairGran::extract(what, dimension);
+}
 
 double PairGranEllipsoid::stressStrainExponent() { return models_->stress_strain_exponent(); }
 
@@ -195,6 +204,7 @@ void PairGranEllipsoid::init_style() {
     error->all(FLERR, "pair_style gran/ellipsoid does not work with fix multicontact/halfspace; "
                       "remove that fix");
   keep_arguments();
+  keep_history();
 }
 
 /// The host makes new neighbour lists for a run when another command wants one, or when pages
@@ -211,6 +221,7 @@ void PairGranEllipsoid::save_contact_history() {
                          "write a restart file and go on from it")
                             .c_str());
     fix_history->setup_pre_exchange();
+    history_keeper_->setup_pre_exchange();
   }
   pages_[0] = pages[0];
   pages_[1] = pages[1];
@@ -218,9 +229,20 @@ void PairGranEllipsoid::save_contact_history() {
 
 /// Stops if the contact history comes from a run with other arguments.
 void PairGranEllipsoid::keep_arguments() {
-  const char* words[] = {"pair_settings_ellipsoid", "all", "pair_settings/ellipsoid"};
-  if (modify->find_fix(words[0]) < 0)
+  own_fix("pair_settings_ellipsoid", "pair_settings/ellipsoid");
+}
+
+void PairGranEllipsoid::keep_history() {
+  history_keeper_ = static_cast<FixContactHistoryEllipsoid*>(
+      own_fix("contacthistory_ellipsoid", "contacthistory/ellipsoid"));
+}
+
+/// Made when a run is set up for the first time.
+Fix* PairGranEllipsoid::own_fix(const char* id, const char* style) {
+  const char* words[] = {id, "all", style};
+  if (modify->find_fix(id) < 0)
     modify->add_fix(3, const_cast<char**>(words));
+  return modify->fix[modify->find_fix(id)];
 }
 
 /// The host keeps the histories of all partners of a particle in one page, and does not look
@@ -245,11 +267,14 @@ void PairGranEllipsoid::add_forces(int eflag, int vflag, bool for_list) {
     ev_setup(eflag, vflag);
   else
     evflag = vflag_fdotr = 0;
+  if (neighbor->ago == 0)
+    history_keeper_->give_back();
   forces_->begin_step(for_list);
   const ContactCounts counts = contacts_->compute(*forces_, computeflag_ && shearupdate_);
   forces_->end_step();
   if (!computeflag_)
     return;
+  history_keeper_->histories_changed();
   counts_ = counts;
   warn_of_searches();
 }

@@ -12,6 +12,7 @@ PairStyle(gran/ellipsoid,PairGranEllipsoid)
 #include "contact_counts.h"
 #include "ellipsoid_contact_caller.h"
 #include "host_pair.h"
+#include "more_history.h"
 
 #include <memory>
 #include <string>
@@ -39,6 +40,8 @@ class PairGranEllipsoid : public ellipsoid_host::HostPairStyle,
   double stressStrainExponent() override;
   bool contact_match(const std::string type, const std::string model) override;
   int64_t hashcode() override;
+  /// Besides what the host's pair styles give: "contacts", their number on this rank (double).
+  void* extract(const char* what, int& dimension) override;
 
   /// The arguments of the command, models and settings, with a space between two.
   const std::string& arguments() const { return arguments_; }
@@ -49,6 +52,11 @@ class PairGranEllipsoid : public ellipsoid_host::HostPairStyle,
   void repeat_history(int times);
   /// Where a value of the history of a contact begins.
   int history_offset(const std::string& name) const;
+  /// Whether value k of a pair's history, or of more_history(), is the negative seen from j.
+  bool changes_sign(int k) const {
+    return history_arg[static_cast<std::size_t>(k) % history_arg.size()].newtonflag == "1";
+  }
+  LIGGGHTS::MoreHistory& more_history() { return more_history_; }
 
  protected:
   void add_forces(int eflag, int vflag, bool for_list) override;
@@ -58,6 +66,8 @@ class PairGranEllipsoid : public ellipsoid_host::HostPairStyle,
   std::unique_ptr<LIGGGHTS::SurfaceContacts> contacts_;
   std::unique_ptr<LIGGGHTS::ContactModels::HostModels> models_;
   std::unique_ptr<LIGGGHTS::PairForces> forces_;
+  LIGGGHTS::MoreHistory more_history_;
+  class FixContactHistoryEllipsoid* history_keeper_ = nullptr;
   LIGGGHTS::ContactCounts counts_;
   std::string arguments_; // empty: of an older restart file, which does not have them
   bool warned_ = false;
@@ -70,6 +80,8 @@ class PairGranEllipsoid : public ellipsoid_host::HostPairStyle,
   void tell_of_batches();
   void warn_of_searches();
   void keep_arguments();
+  void keep_history();
+  class Fix* own_fix(const char* id, const char* style);
   void save_contact_history();
 };
 

@@ -94,6 +94,26 @@ void AtomVecGranularEllipsoid::read_subspheres(int i, char** values) {
       small_integer(error, values[smooth_columns], ellipsoid::largest_set_count, "N", id),
       small_integer(error, values[smooth_columns + 1],
                     ellipsoid::clump_spacing + ellipsoid::largest_clump_number, "spacing", id)};
+  check_chain(subspheres_[i], atom->shape[i], id);
+}
+
+/// Whatever the surface is: the numbers go to dumps, which others read.
+void AtomVecGranularEllipsoid::check_chain(const std::array<int, 2>& chain, const double* axes,
+                                           const char* id) const {
+  const auto [count, spacing] = chain;
+  constexpr int touching = static_cast<int>(ellipsoid::SphereSpacing::paper_touching);
+  std::string problem;
+  if (count == 0 || spacing > touching) // smooth, or a set of spheres
+    return;
+  if (count % 2 == 0)
+    problem = "column N is " + std::to_string(count) + ", allowed are 0 and odd numbers";
+  else if (axes[1] != axes[2])
+    problem = "column N is " + std::to_string(count) + ", and b and c differ; allowed is 0";
+  else if (count > 3 && spacing == touching)
+    problem = "column spacing is " + std::to_string(spacing) + ", which is for N = 3, and N is " +
+              std::to_string(count) + "; use 0, 1 or 2";
+  if (!problem.empty())
+    error->one(FLERR, (std::string("Atoms section, atom ") + id + ": " + problem).c_str());
 }
 
 void AtomVecGranularEllipsoid::finish_data() {

@@ -41,6 +41,7 @@ class AtomVecGranularEllipsoid : public AtomVecSuperquadric {
   std::map<int, std::array<int, 2>> subspheres_; // of the rows read: atom -> N, spacing
 
   void read_subspheres(int atom, char** values);
+  void check_chain(const std::array<int, 2>& chain, const double* axes, const char* id) const;
 };
 
 } // namespace LAMMPS_NS

@@ -2,6 +2,7 @@
 #include "command_watch.h"
 
 #include "atom.h"
+#include "comm.h"
 #include "ellipsoid_host.h"
 #include "error.h"
 #include "fix.h"
@@ -74,6 +75,11 @@ constexpr UnsuitedWord unsuited_words[] = {
      "takes the projection of bounding spheres for the area of contacts; use 'contact_area "
      "overlap' or "
      "'constant A'"},
+    {"fix", "transfer_virtualMass",
+     "exchanges what a solver computes for spheres; use 'fix couple/cfd/force' without it"},
+    {"fix", "transfer_stochastic",
+     "exchanges what a solver computes for spheres; use 'fix couple/cfd/force' without it"},
+    {"fix", "transfer_fiber_topology", "joins spheres; use 'fix couple/cfd/force' without it"},
     {"thermo_style", "erotate",
      "does not know ellipsoids; use 'c_ID' of 'compute ID all erotate/ellipsoid'"},
     {"atom_modify", "no", "hides the ids by which contacts are known; use 'atom_modify map array'"},
@@ -85,9 +91,22 @@ constexpr const char* replaceable_fixes[] = {"addforce", "aveforce",  "deform", 
                                              "gravity",  "lineforce", "momentum", "planeforce",
                                              "print",    "setforce",  "viscous"};
 
+/// A flow solver that takes particles for spheres of the bounding radius has too little room for
+/// the fluid.
+void warn_of_radius(LAMMPS* lmp, const Words& words) {
+  if (words[2] == "couple/cfd/force" && lmp->comm->me == 0 &&
+      std::find(words.begin(), words.end(), "transfer_superquadric") == words.end())
+    lmp->error->warning(FLERR, ("Fix couple/cfd/force (id " + words[0] +
+                                "): the solver is told the bounding radius of each ellipsoid, and "
+                                "must not make volumes of it; add 'transfer_superquadric yes' for "
+                                "the volumes, if it can take them")
+                                   .c_str());
+}
+
 void check_fix(LAMMPS* lmp, const Words& words) {
   if (words.size() < 3)
     return;
+  warn_of_radius(lmp, words);
   refuse_style(lmp, "fix", words[2], words[0],
                words[2] == "wall/gran" ? converted("fix", words, 2) : "");
   if (lmp->modify->find_fix(words[0].c_str()) < 0)
@@ -164,6 +183,8 @@ CommandWatch::CommandWatch(LAMMPS* lmp, const char* command, int count, char** a
   check_command(lmp, command_, arguments_);
   if (command_ == "run" || command_ == "write_data" || command_ == "write_restart")
     check_present_styles(lmp);
+  if (command_ == "delete_atoms")
+    begin_deletion();
   if (command_ == "set")
     masses_.assign(lmp->atom->rmass, lmp->atom->rmass + lmp->atom->nlocal);
 }
@@ -171,7 +192,9 @@ CommandWatch::CommandWatch(LAMMPS* lmp, const char* command, int count, char** a
 CommandWatch::~CommandWatch() {
   if (!are_ellipsoids(lmp_))
     return;
-  if (command_ == "set")
+  if (renumbering_)
+    renumbering_->finish();
+  else if (command_ == "set")
     complete_set();
   else if (command_ == "displace_atoms" && arguments_.size() > 8 && arguments_[1] == "rotate")
     turn_bodies();
@@ -184,6 +207,15 @@ CommandWatch::~CommandWatch() {
 
 bool CommandWatch::has_argument(const std::string& word) const {
   return std::find(arguments_.begin(), arguments_.end(), word) != arguments_.end();
+}
+
+void CommandWatch::begin_deletion() {
+  const auto compress = std::find(arguments_.begin(), arguments_.end(), "compress");
+  const bool keeps_numbers = arguments_.end() - compress > 1 && *(compress + 1) == "no";
+  if (has_argument("overlap") && !keeps_numbers)
+    refuse(lmp_, "delete_atoms overlap",
+           "numbers particles anew while they change their ranks; add 'compress no'");
+  renumbering_ = std::make_unique<Renumbering>(lmp_, !keeps_numbers);
 }
 
 /// Omega is kept, whatever becomes of moments and orientation. (set changes no number of

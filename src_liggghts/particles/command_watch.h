@@ -5,6 +5,9 @@
 #ifndef COMMAND_WATCH_H_
 #define COMMAND_WATCH_H_
 
+#include "new_numbers.h"
+
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,7 +24,8 @@ class CommandWatch {
   /// Stops with one line where the command does not work with ellipsoids.
   CommandWatch(LAMMPS_NS::LAMMPS* lmp, const char* command, int count, char** arguments);
   /// Completes `set`, `velocity` and `displace_atoms`: omega and angular momentum agree, bodies
-  /// turn with their centres, moments follow the mass.
+  /// turn with their centres, moments follow the mass; contact histories know the new numbers that
+  /// `delete_atoms` gives.
   ~CommandWatch();
   CommandWatch(const CommandWatch&) = delete;
   CommandWatch& operator=(const CommandWatch&) = delete;
@@ -32,7 +36,10 @@ class CommandWatch {
   std::vector<std::string> arguments_;
   std::vector<double> masses_; // before `set ... mass`, of the particles of this rank
 
+  std::unique_ptr<Renumbering> renumbering_; // while the host deletes particles
+
   bool has_argument(const std::string& word) const;
+  void begin_deletion();
   void complete_set();
   void turn_bodies() const;
 };

@@ -291,3 +291,28 @@ class BruteForce:
         if advance:
             self.springs = springs
         return force, torque, rows, virial
+
+
+#: Of dumps that replay() reads, with all digits.
+REPLAYED = ("id type mass xu yu zu vx vy vz omegax omegay omegaz quat1 quat2 quat3 quat4 shapex shapey shapez "
+            "fx fy fz tqx tqy tqz").split()
+
+
+def replay(brute, frames, time_step, spheres=0):
+    """Forces (N, 3), torques and contact list of each frame (F, N, columns of REPLAYED) of a run that was dumped every step,
+    by brute force, from the positions of the dump. `spheres`: of each body; 0: smooth."""
+    before = None
+    for k, values in enumerate(frames):
+        axes, mass = values[:, 16:19], values[:, 2]
+        square = axes ** 2
+        frame = Frame(values[:, 0].astype(int), np.zeros(len(values), int), mass,
+                      0.2 * mass[:, None] * (square.sum(1)[:, None] - square), axes, values[:, 3:6], values[:, 6:9],
+                      values[:, 9:12], values[:, 12:16], np.full(len(values), spheres))
+        v, omega = frame.v, frame.omega
+        if k > 0:
+            old, f, t = before
+            v = old.v + 0.5 * time_step * f / old.mass[:, None]
+            omega = frame.omega_of(old.spin() + 0.5 * time_step * t)
+        force, torque, rows, _ = brute.step(frame, 0.0, v, omega, advance=k > 0)
+        yield force, torque, rows
+        before = frame, values[:, 19:22], values[:, 22:25]

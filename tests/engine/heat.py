@@ -166,6 +166,46 @@ class Walls(unittest.TestCase):
         self.check(plane.replace("smooth", "multisphere"), "multisphere", chain, areas,
                    "fix subspheres all property/atom subspheres scalar yes yes no 17")
 
+    def test_chain_on_a_mesh(self):
+        chain = Particle((0, 0, C - 5e-5), (A, C, C), type=1)
+        contacts = wall_contacts(chain, 17, (0, 0, 0), (0, 0, -1.0))
+        self.assertGreater(len(contacts), 2)
+        with open("two.stl", "w", encoding="ascii") as file:  # a seam below the middle of the body
+            file.write("solid two\n" + "".join(
+                "facet normal 0 0 1\nouter loop\n" + "".join(f"vertex {x} {y} 0\n" for x, y in corners)
+                + "endloop\nendfacet\n" for corners in (
+                    ((-0.02, -0.02), (0.02, -0.02), (0.02, 0.02)), ((-0.02, -0.02), (0.02, 0.02), (-0.02, 0.02))))
+                + "endsolid two\n")
+        mesh = (f"fix cad all mesh/surface file two.stl type 2 temperature {self.HOT}\nfix w all wall/gran/ellipsoid "
+                f"{LAW} surface multisphere mesh n_meshes 1 meshes cad contacts 20")
+        found = fluxes([chain], "wall", surface="surface multisphere", extra="fix subspheres all property/atom "
+                       "subspheres scalar yes yes no 17\n" + mesh)
+        expected = sum(conductance(2.0 * math.pi * r * h) for _, h, r, _ in contacts) * (self.HOT - TEMPERATURES[0])
+        np.testing.assert_allclose(found, [expected], rtol=2e-2)  # overlap over radius of the spheres
+
+    def test_cylinder(self):
+        """The gap has the curvature of the body, less (inside) or more (outside) that of the wall around the axis:
+        an ellipse 2 pi R h with 1/R^2 = k_along k_around."""
+        radius = 5e-3
+        for side, sign in (("inside", -1.0), ("outside", 1.0)):
+            wall = (f"fix w all wall/gran/ellipsoid {LAW} surface smooth primitive type 2 xcylinder {radius} 0 0 "
+                    f"temperature {self.HOT}")
+            with self.subTest(side=side):
+                for axes in ((A, B, C), (B, A, C), (C, A, B)):  # along the axis, around it, to the wall
+                    h = OVERLAP
+                    at = radius + sign * (axes[2] - h)
+                    body = Particle((1e-3, 0.0, -at), axes, type=1)
+                    if axes[1] ** 2 / axes[2] > radius and side == "inside":
+                        continue  # rests on its tips
+                    along = axes[2] / axes[0] ** 2
+                    around = axes[2] / axes[1] ** 2 + sign / radius
+                    self.check(wall, "smooth", body, [2.0 * math.pi * h / math.sqrt(along * around)])
+                chain = Particle((1e-3, 0.0, -(radius + sign * (C - OVERLAP))), (A, C, C), type=1)
+                areas = [2.0 * math.pi * h / math.sqrt((1.0 / r) * (1.0 / r + sign / radius))
+                         for _, h, r, _ in wall_contacts(chain, 17, (0, 0, -radius), (0, 0, sign))]
+                self.check(wall.replace("smooth", "multisphere"), "multisphere", chain, areas,
+                           "fix subspheres all property/atom subspheres scalar yes yes no 17")
+
     def test_settings_of_the_models_change_no_area(self):
         """An elliptic contact has another radius in the law, and averaged contacts share their force."""
         body = Particle((0, 0, C - OVERLAP), (A, B, C), type=1)

@@ -2,8 +2,8 @@
 
 import unittest
 
-from _engine import LAW, Particle, Setup, quaternion_of, run, thermo
-from _multisphere import SURFACE, multisphere_setup, pair_contacts, subspheres, wall
+from _engine import LAW, Particle, Setup, quaternion_of, run
+from _multisphere import SURFACE, multisphere_setup, subspheres, wall
 
 AXES = (2.7e-3, 1.15e-3, 1.15e-3)
 
@@ -86,11 +86,8 @@ class Refusals(unittest.TestCase):
         pair = [Particle((0.0, 0.0, k * (2 * AXES[1] - depth) + AXES[1] - depth), AXES) for k in (0, 1)]
         return setup.with_particles(pair) + subspheres(17)
 
-    def test_more_contacts_than_slots(self):
-        self.refused(self.flat_pair("contacts 1") + "run 1\n", "atoms 1 and 2", "setting 'contacts'",
-                     "or more")
-        self.refused(self.flat_pair("contacts 24") + "neigh_modify page 1000000\n"
-                     + wall("floor", "zplane", 0.0, "contacts 1") + "run 1\n",
+    def test_more_contacts_with_a_wall_than_slots(self):
+        self.refused(self.flat_pair("") + wall("floor", "zplane", 0.0, "contacts 1") + "run 1\n",
                      "floor", "atom 1", "setting 'contacts'", "or more")
 
     def test_history_larger_than_the_pages(self):
@@ -98,22 +95,6 @@ class Refusals(unittest.TestCase):
         self.refused(self.flat_pair("contacts 24") + "run 10\n", "contacts", "neigh_modify page", "240000")
         run(self.flat_pair("contacts 24") + "neigh_modify page 240000\nrun 10\n", name="in.pages_240000")
         run(self.flat_pair("contacts 24") + "neigh_modify one 800\nrun 10\n", name="in.one_800")
-
-    def test_more_contacts_than_64(self):
-        """The number is that of all pairs of spheres that overlap; one slot less is refused, and says how many."""
-        count, depth = 101, 1e-4
-        pair = [Particle((0.0, 0.0, k * (2 * AXES[1] - depth)), AXES) for k in (0, 1)]
-        touching = len(pair_contacts(*pair, count, count))
-        self.assertGreater(touching, 64)
-        self.assertLess(touching, 2000)
-
-        def text(slots):
-            return (multisphere_setup(f"contacts {slots}").with_particles(pair) + subspheres(count)
-                    + f"neigh_modify page {2000 * 5 * slots} one 2000\ncompute found all contacts/ellipsoid\n"
-                    "thermo_style custom step c_found[2]\nfix motion all nve/ellipsoid\nrun 3\n")
-        run(text(touching), name="in.many")
-        self.assertEqual(thermo("log.in.many", 2)[0][1], touching)
-        self.refused(text(touching - 1), f"'contacts' allows {touching - 1}", f"give 'contacts {touching}' or more")
 
     def test_largest_settings(self):
         """What is allowed is not refused."""

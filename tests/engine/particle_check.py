@@ -1,7 +1,9 @@
 """No particle that cannot be simulated goes unnoticed: bodies that cannot be, numbers that are not finite,
 particles that nobody moves or that two fixes move."""
 
+import struct
 import unittest
+from pathlib import Path
 
 from _engine import Particle, Setup, run
 from _spinning import MOTION, bodies
@@ -31,6 +33,34 @@ class Bodies(unittest.TestCase):
         run(script + "set group all shape 0.003 0.002 0.001\nset group all density 2000\nrun 1\n")
         large = Setup(box=(-2.0, 2.0, -2.0, 2.0, -2.0, 2.0), skin=0.1)  # a sphere of this size has room
         run(large.without_particles() + MOTION + "create_atoms 1 single 0 0 0 units box\nrun 1\n")
+
+
+    def test_particles_of_a_restart_file(self):
+        """The only way left for other superquadrics and other bounding spheres: the commands that make them are
+        refused. The file is altered, and goes without its seal, as one of an unpatched LIGGGHTS."""
+        axes, shift = (3e-3, 2e-3, 1e-3), 8 * 10  # from shape to radius, in the row of a particle
+        setup = Setup()
+        run(setup.with_particles([Particle((0, 0, 0), axes)]) + MOTION + "run 0\nwrite_restart whole.restart\n")
+        whole = Path("whole.restart").read_bytes()[:-32].replace(b"with liggghts-ellipsoid", b"with_other_extensions__")
+        place = whole.index(struct.pack("<5d", *axes, 2.0, 2.0))
+        for at, value, pattern in (
+                (place + 24, None, None), (place + 24, 8.0, "has the blockiness 8 2, allowed is 2 2"),
+                (place + 32, 2.5, "has the blockiness 2 2.5, allowed is 2 2"),
+                (place - shift, 2.9e-3, "has the bounding radius 0.0029, allowed is the largest of its semi-axes"),
+                (place - shift, 4e-3, "has the bounding radius 0.004, allowed is"),
+                (place, 2e-3, "has the bounding radius 0.003, allowed is")):
+            altered = whole if value is None else whole[:at] + struct.pack("<d", value) + whole[at + 8:]
+            Path("altered.restart").write_bytes(altered)
+            script = setup.header() + "read_restart altered.restart\n" + setup.properties() + MOTION + "run 1\n"
+            if value is None:
+                run(script)
+            else:
+                self.refused(script, pattern)
+
+    def test_other_atom_styles(self):
+        for style in ("sphere", "superquadric"):
+            setup = Setup(atom_style=style)
+            self.refused(setup.without_particles() + "run 1\n", "gran/ellipsoid.*use atom_style granular/ellipsoid")
 
 
 class NotFinite(unittest.TestCase):

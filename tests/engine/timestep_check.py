@@ -116,6 +116,49 @@ class Fractions(unittest.TestCase):
         self.assertAlmostEqual(shares[1] / (STEP / expected), 1.0, delta=1e-12)
 
 
+class Default(unittest.TestCase):
+    """Of scripts without the fix."""
+
+    WORDS = "The check of the time step"
+
+    @staticmethod
+    def pair(step, speed=0.2, more=""):
+        """Two bodies that collide, the time step over the duration of the collision by brute force."""
+        bodies = [Particle((s * 2.7e-3, 0, 0), (2.7e-3, 1.9e-3, 1.1e-3), velocity=(-s * speed, 0, 0)) for s in (-1, 1)]
+        outcome = run(Setup(time_step=step).with_particles(bodies) + more + "fix motion all nve/ellipsoid\nrun 20\n",
+                      check=False)
+        return outcome, step / hertz(brute_force(bodies[0]), 2 * speed)
+
+    def test_twenty_times_the_duration_of_a_collision(self):
+        _, share = self.pair(1e-6)
+        for factor in (20.0, 1.1):
+            outcome, share_now = self.pair(factor * 1e-6 / share)
+            self.assertAlmostEqual(share_now, factor, delta=1e-6)
+            self.assertEqual(outcome.code, 1, outcome.text[-500:])
+            self.assertRegex(outcome.text, rf"ERROR: {self.WORDS}: the time step over the shortest duration of a "
+                                           r"collision[^\n]* use a smaller time step")
+
+    def test_warning_once(self):
+        _, share = self.pair(1e-6)
+        outcome, _ = self.pair(0.9 * 1e-6 / share)
+        self.assertEqual(outcome.code, 0)
+        self.assertEqual(outcome.text.count(f"WARNING: {self.WORDS}"), 1)
+        outcome, _ = self.pair(0.05 * 1e-6 / share)
+        self.assertNotIn(self.WORDS, outcome.text)
+
+    def test_a_fix_of_the_script_takes_its_place(self):
+        _, share = self.pair(1e-6)
+        outcome, _ = self.pair(0.9 * 1e-6 / share, more="fix mine all check/timestep/ellipsoid 1 1e3 1e3\n")
+        self.assertEqual(outcome.code, 0)
+        self.assertNotIn("the time step over", outcome.text)
+
+    def test_bodies_that_touch_nothing(self):
+        """A free flight has no collisions: the step is named and the run goes on."""
+        body = Particle((0, 0, 0), (3e-3, 2e-3, 1e-3), velocity=(0.5, 0, 0))
+        outcome = run(Setup(time_step=1e-3).with_particles([body]) + "fix motion all nve/ellipsoid\nrun 20\n")
+        self.assertEqual(outcome.text.count(f"WARNING: {self.WORDS}"), 1)
+
+
 class Answers(unittest.TestCase):
     BODY = [Particle((0, 0, 0), (3e-3, 2e-3, 1e-3), velocity=(0.5, 0, 0))]
 

@@ -1,0 +1,47 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// `delete_atoms` numbers the remaining particles anew, while contact histories know partners by
+// their numbers: they are given the new ones.
+#ifndef NEW_NUMBERS_H_
+#define NEW_NUMBERS_H_
+
+#include <array>
+#include <map>
+#include <unordered_map>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace ellipsoid_host {
+
+/// New numbers by old ones; those of deleted particles are missing.
+using NewNumbers = std::unordered_map<int, int>;
+
+/// A fix that knows particles by their numbers.
+class KnowsNumbers {
+ public:
+  virtual ~KnowsNumbers() = default;
+  virtual void renumber(const NewNumbers& numbers) = 0;
+};
+
+/// Lives as long as the host deletes particles; where it numbers them anew they do not move
+/// meanwhile.
+class Renumbering {
+ public:
+  /// Histories go to the particles. Stops where that is too late.
+  /// @param[in] numbers_anew false: particles keep their numbers
+  Renumbering(LAMMPS_NS::LAMMPS* lmp, bool numbers_anew);
+  void finish();
+
+ private:
+  LAMMPS_NS::LAMMPS* lmp_;
+  bool numbers_anew_;
+  std::map<std::array<double, 3>, int> old_numbers_; // by place, of the particles of this rank
+
+  NewNumbers gather() const;
+};
+
+} // namespace ellipsoid_host
+
+#endif
