@@ -130,6 +130,44 @@ class InsertionOverlap(unittest.TestCase):
                                            p[:, 1].max() / 0.008 - 1.0, -p[:, 1].min() / 0.006 - 1.0)}[name]
                 self.assertLessEqual(outside, 1e-12, name)
 
+    def test_the_bounding_sphere_lies_in_other_regions(self):
+        """Cones, prisms, planes, unions, intersections, outsides: no point of a body is beyond, by the region's
+        own definition."""
+        h = 0.01
+        regions = {
+            "cone": (["cloud cone z 0.0 0.0 0.002 0.008 -0.01 0.01"],
+                     lambda p: np.maximum(np.hypot(p[:, 0], p[:, 1]) - (0.005 + 0.3 * p[:, 2]), abs(p[:, 2]) - h)),
+            "prism": (["cloud prism -0.008 0.004 -0.008 0.008 -0.008 0.008 0.004 0.0 0.0"],
+                      lambda p: np.max([abs(p[:, 1]) - 8e-3, abs(p[:, 2]) - 8e-3,
+                                        abs(p[:, 0] + 0.002 - 0.004 * (p[:, 1] + 0.008) / 0.016) - 6e-3], axis=0)),
+            "union": (["one sphere -0.005 0 0 0.005", "two block 0.0 0.01 -0.004 0.004 -0.004 0.004",
+                       "cloud union 2 one two"],
+                      lambda p: np.minimum(np.linalg.norm(p + [0.005, 0, 0], axis=1) - 0.005,
+                                           np.max([-p[:, 0], p[:, 0] - h, abs(p[:, 1]) - 4e-3, abs(p[:, 2]) - 4e-3],
+                                                  axis=0))),
+            "intersect": (["one sphere -0.003 0 0 0.007", "two block -0.006 0.01 -0.004 0.01 -0.01 0.01",
+                           "cloud intersect 2 one two"],
+                          lambda p: np.max([np.linalg.norm(p + [0.003, 0, 0], axis=1) - 0.007, -0.006 - p[:, 0],
+                                            -0.004 - p[:, 1]], axis=0)),
+            "outside": (["one cylinder z 0 0 0.004 -0.02 0.02 side out", "two block -0.01 0.01 -0.01 0.01 -0.01 0.01",
+                         "cloud intersect 2 one two"],
+                        lambda p: np.maximum(0.004 - np.hypot(p[:, 0], p[:, 1]), abs(p).max(1) - h))}
+        theta, phi = np.meshgrid(np.linspace(0, math.pi, 40), np.linspace(0, 2 * math.pi, 80))
+        unit = np.stack([np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)], -1).reshape(-1, 3)
+        for name, (lines, beyond) in regions.items():
+            with self.subTest(region=name):
+                text = "".join(f"region {line} units box\n" if "union" not in line and "intersect" not in line
+                               else f"region {line}\n" for line in lines)
+                run(setup(box=(-0.012, 0.012) * 3).without_particles() + text
+                    + pack("a", body(1.5e-3, 6e-4, 5e-4), count=60, tries=300, every="1")
+                    + "fix motion all nve/ellipsoid\n" + OUT + "run 1\n", name=f"in.{name}")
+                bodies = frame("out.dump")
+                self.assertGreater(len(bodies.ids), 20)
+                self.assertEqual(overlaps(bodies), 0.0)
+                for k in range(len(bodies.ids)):
+                    p = bodies.x[k] + (unit * bodies.axes[k]) @ bodies.turn[k].T
+                    self.assertLessEqual(beyond(p).max(), 1e-12)
+
     def mixture(self, count, every):
         text = setup(box=(-0.02, 0.02) * 3).without_particles() + BLOCK
         text += TEMPLATE.format(name="grain", seed=15485863, axes=body(4e-3, 2e-3, 2e-3))
