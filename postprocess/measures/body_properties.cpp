@@ -1,9 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "body_properties.h"
 
-#include "bed.h"
-#include "contacts.h"
 #include "ellipsoid/ellipsoid_properties.h"
+#include "multisphere/union_measures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,20 +62,21 @@ double body_volume(const ParticleSet& set, const Particle& particle) {
     return volume(particle.semiaxes);
   if (const auto line = on_one_line(set, particle); !line.empty())
     return volume_on_line(line);
-  ParticleSet alone;
-  const auto first = set.spheres.begin() + static_cast<std::ptrdiff_t>(particle.first_sphere);
-  alone.spheres.assign(first, first + static_cast<std::ptrdiff_t>(particle.sphere_count));
-  alone.particles.push_back(particle);
-  alone.particles.front().first_sphere = 0;
-  constexpr int planes = 200;
-  const double below_it = particle.centre.z - 2.0 * bounding_radius(alone, alone.particles.front());
-  return solid_volume(alone, {0}, planes, below_it);
+  SphereSet spheres;
+  for (std::size_t k = 0; k < particle.sphere_count; ++k) {
+    const Sphere& sphere = set.spheres[particle.first_sphere + k];
+    spheres.centres.push_back(sphere.centre - particle.centre);
+    spheres.radii.push_back(sphere.radius);
+  }
+  return measure_union(spheres).volume;
 }
 
 double volume_radius(double volume) { return std::cbrt(0.75 * volume / pi); }
 
 SymmetricMatrix3 body_inertia(const Particle& particle, double mass) {
-  const Vector3 moments = principal_moments(particle.semiaxes, mass);
+  const bool is_clump = norm(particle.moments_per_mass) > 0.0;
+  const Vector3 moments =
+      is_clump ? mass * particle.moments_per_mass : principal_moments(particle.semiaxes, mass);
   return rotated_diagonal(rotation(particle.orientation), moments.x, moments.y, moments.z);
 }
 

@@ -6,14 +6,14 @@
 namespace ellipsoid::post {
 
 /// Volume of the union of a body's parts (length^3). Exact for ellipsoids and for spheres with
-/// their centres on one line; other bodies of spheres from 200 plane sections (1e-4 of it).
+/// their centres on one line, to rounding for any other union of spheres.
 double body_volume(const ParticleSet& set, const Particle& particle);
 
 /// Radius of the ball of the same volume (length).
 double volume_radius(double volume);
 
 /// Inertia about the centre in the space frame (mass length^2), of a solid ellipsoid with the
-/// particle's semi-axes.
+/// particle's semi-axes, or of a solid clump.
 SymmetricMatrix3 body_inertia(const Particle& particle, double mass);
 
 } // namespace ellipsoid::post

@@ -4,8 +4,10 @@
 namespace ellipsoid::post {
 namespace {
 
-/// Of the solid ellipsoid (mass length^2).
+/// Of the solid ellipsoid, or clump (mass length^2).
 Vector3 solid_moments(const Particle& p) {
+  if (norm(p.moments_per_mass) > 0.0)
+    return p.mass * p.moments_per_mass;
   const Vector3& s = p.semiaxes;
   return (p.mass / 5.0) *
          Vector3{s.y * s.y + s.z * s.z, s.x * s.x + s.z * s.z, s.x * s.x + s.y * s.y};

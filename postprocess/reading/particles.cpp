@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "particles.h"
 
+#include "clump_files.h"
 #include "template_cache.h"
 
 #include <Eigen/Eigenvalues>
@@ -193,9 +194,9 @@ int subspheres_at(const Frame& frame, Column subspheres, std::size_t row,
   if (!subspheres)
     return options.subspheres.value_or(0);
   const double n = (*subspheres)[row];
-  if (n < 0.0 || n != std::floor(n) || n > largest_sphere_count)
+  if (n < 0.0 || n != std::floor(n) || n > largest_set_count)
     throw bad_value(frame, row,
-                    fmt::format("a whole number of sub-spheres from 0 to {}", largest_sphere_count),
+                    fmt::format("a whole number of sub-spheres from 0 to {}", largest_set_count),
                     fmt::format("{}", n));
   return static_cast<int>(n);
 }
@@ -205,23 +206,32 @@ SphereSpacing spacing_at(const Frame& frame, Column spacing, std::size_t row,
   if (!spacing)
     return options.spacing.value_or(SphereSpacing::paper);
   const double code = (*spacing)[row];
-  for (const auto known : {SphereSpacing::paper, SphereSpacing::minimax_outline,
-                           SphereSpacing::minimax_area, SphereSpacing::paper_touching})
+  for (const auto known :
+       {SphereSpacing::paper, SphereSpacing::minimax_outline, SphereSpacing::minimax_area,
+        SphereSpacing::paper_touching, SphereSpacing::medial, SphereSpacing::minimax_volume})
     if (code == static_cast<double>(known))
       return known;
   throw bad_value(
       frame, row,
-      "f_spacing 0 (paper), 1 (minimax_outline), 2 (minimax_area) or 3 (paper_touching)",
+      "f_spacing 0 (paper), 1 (minimax_outline), 2 (minimax_area), 3 (paper_touching), 4 (medial), "
+      "5 (minimax_volume), or 1000 and the number of a clump",
       fmt::format("{}", code));
 }
 
-void add_chain(ParticleSet& set, Particle& particle, const MultisphereTemplate& chain) {
+/// @param[in] scale of the set's lengths
+void add_spheres(ParticleSet& set, Particle& particle, const SphereSet& spheres, double scale) {
   const Rotation3 r = rotation(particle.orientation);
   particle.first_sphere = set.spheres.size();
-  particle.sphere_count = chain.centres.size();
-  for (std::size_t k = 0; k < chain.centres.size(); ++k)
+  particle.sphere_count = spheres.centres.size();
+  for (std::size_t k = 0; k < spheres.centres.size(); ++k)
     set.spheres.push_back(
-        {particle.centre + r.to_space({chain.centres[k], 0.0, 0.0}), chain.radii[k]});
+        {particle.centre + r.to_space(scale * spheres.centres[k]), scale * spheres.radii[k]});
+}
+
+void add_clump(ParticleSet& set, Particle& particle, const ClumpTemplate& clump) {
+  const double size = particle.semiaxes.y / clump.semiaxes.y;
+  particle.moments_per_mass = (size * size / clump.volume) * clump.moments;
+  add_spheres(set, particle, clump.spheres, particle.semiaxes.y);
 }
 
 /// Everything of a row but its shape.
@@ -439,15 +449,21 @@ void add_ellipsoids(ParticleSet& set, const NamedColumns& columns, const Particl
   if (const std::string remark = sizes.remark(); !remark.empty())
     set.remarks.push_back(remark);
   TemplateCache templates;
+  const ClumpFiles clumps(options.clumps);
   set.particles.reserve(frame.rows);
   for (const std::size_t row : rows_by_id(columns)) {
     Particle p = common.at(row);
     p.semiaxes = sizes.at(row);
     p.orientation = orientations.at(row, p.semiaxes);
     if (const int count = subspheres_at(frame, subspheres, row, options); count > 0) {
-      const SphereSpacing placed = spacing_at(frame, spacing, row, options);
+      const double code = spacing ? (*spacing)[row] : 0.0;
       try {
-        add_chain(set, p, templates.find(p.semiaxes, count, placed));
+        if (code > clump_spacing)
+          add_clump(set, p, clumps.find(code, count, p.semiaxes));
+        else
+          add_spheres(set, p,
+                      templates.find(p.semiaxes, count, spacing_at(frame, spacing, row, options)),
+                      1.0);
       } catch (const std::invalid_argument& error) {
         throw bad_value(frame, row, "a multi-sphere particle that can be built", error.what());
       }

@@ -24,7 +24,8 @@ struct Sphere {
 struct Particle {
   std::int64_t id = 0;
   std::int64_t type = 1;
-  double mass = 0.0; ///< 0 when the file has none
+  double mass = 0.0;        ///< 0 when the file has none
+  Vector3 moments_per_mass; ///< principal, of a clump (length^2); 0: those of its ellipsoid
   Vector3 centre, velocity, angular_velocity;
   Quaternion orientation;
   Vector3 semiaxes; ///< a, b, c along the body's x, y, z (length); of the circumscribed ellipsoid
@@ -62,6 +63,7 @@ struct ParticleOptions {
   std::optional<int> subspheres;        ///< number for files without a column
   std::optional<SphereSpacing> spacing; ///< for files without a column; else that of the paper
   std::optional<double> size_scale;     ///< factor on sizes (0.5 where a file holds whole axes)
+  std::vector<std::string> clumps;      ///< "NUMBER=FILE": spheres of clumps
   ColumnNames columns;                  ///< foreign names
   std::string bodies;   ///< column whose values > 0 join spheres to bodies, or "none"
   std::string periodic; ///< axes along which the box repeats, or "none"; empty: as the file says
@@ -70,7 +72,8 @@ struct ParticleOptions {
 /// Bodies of one frame, sorted by id: measures do not depend on the order of the rows.
 ///
 /// Columns: x y z (or xu, xs, xsu ...), shapex shapey shapez (semi-axes) or radius, quat1..quat4,
-/// id, type, mass, vx.., omegax.., f_subspheres (number N; 0 or missing: smooth), f_spacing.
+/// id, type, mass, vx.., omegax.., f_subspheres (number N; 0 or missing: smooth), f_spacing
+/// (1000 + n: clump n).
 /// LAMMPS's names quatw..quatk and c_orient[*], c_shape[*]: whole axes, which are halved.
 /// Rows with a column `id_multisphere` > 0 are spheres of a rigid body of the host.
 /// Throws InputError for missing columns, sizes <= 0, quaternions of length 0, impossible N, ids

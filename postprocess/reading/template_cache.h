@@ -2,6 +2,7 @@
 #pragma once
 
 #include "math/vector3.h"
+#include "multisphere/clump.h"
 #include "multisphere/multisphere_template.h"
 
 #include <map>
@@ -12,12 +13,13 @@ namespace ellipsoid::post {
 /// Multi-sphere templates by size, number and spacing; each is computed once.
 class TemplateCache {
  public:
-  /// @param[in] semiaxes a > b = c (length)
-  /// Throws std::invalid_argument when it cannot be built (even N, a <= b, b != c, too small N).
-  const MultisphereTemplate& find(const Vector3& semiaxes, int subspheres, SphereSpacing spacing);
+  /// @param[in] semiaxes a > b = c of chains, any of the spacings medial and minimax_volume
+  /// (length) Throws std::invalid_argument when it cannot be built (even N, a <= b, b != c, too
+  /// small N).
+  const SphereSet& find(const Vector3& semiaxes, int subspheres, SphereSpacing spacing);
 
  private:
-  std::map<std::tuple<double, double, int, SphereSpacing>, MultisphereTemplate> m_templates;
+  std::map<std::tuple<double, double, double, int, SphereSpacing>, SphereSet> m_templates;
 };
 
 } // namespace ellipsoid::post

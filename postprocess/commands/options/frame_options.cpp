@@ -33,9 +33,18 @@ void add_size_options(CLI::App& command, ParticleOptions& particles) {
           [&particles](const std::string& word) {
             particles.spacing = sphere_spacing_from_word(word);
           },
-          "spacing of these sub-spheres: paper (default), minimax_outline, minimax_area, "
+          "spacing of these sub-spheres: paper (default), minimax_outline, minimax_area, medial, "
+          "minimax_volume, "
           "paper_touching")
       ->check(check_by([](const std::string& word) { sphere_spacing_from_word(word); }));
+  command
+      .add_option(
+          "--clump", particles.clumps,
+          "NUMBER=FILE: the spheres of clump NUMBER (f_spacing 1000 + NUMBER), from the file "
+          "that its template read, or wrote")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->take_all();
   command
       .add_option(
           "--size-scale", particles.size_scale,
