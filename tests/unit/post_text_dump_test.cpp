@@ -1,12 +1,16 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // The text dump reader: what it accepts, what it refuses and in which words.
+#include "body_properties.h"
 #include "compressed_bytes.h"
+#include "energy.h"
+#include "multisphere/ellipsoid_spheres.h"
 #include "particles.h"
 #include "text_dump.h"
 
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <zlib.h>
 #include <zstd.h>
@@ -361,6 +365,83 @@ TEST(Particles, multispheres_have_the_kernels_chain_in_space) {
   }
 }
 
+/// Two crossed pairs of spheres: the file's axes are the principal ones.
+ParticleOptions with_cross(const std::string& assignment = "2=cross.csv") {
+  std::ofstream("cross.csv") << "x,y,z,r\n1,0,0,0.8\n-1,0,0,0.8\n0,0.5,0,0.6\n0,-0.5,0,0.6\n";
+  ParticleOptions options;
+  options.clumps = {assignment};
+  return options;
+}
+
+const std::string clump_columns =
+    "id mass x y z quat1 quat2 quat3 quat4 shapex shapey shapez vx vy vz omegax omegay omegaz "
+    "f_subspheres f_spacing";
+
+TEST(Particles, clumps_have_the_spheres_of_their_file_in_their_size) {
+  const std::string turned = "1 3 1 2 3 0.7071067811865476 0 0 0.7071067811865476 3.6 2.2 1.6 "
+                             "0 0 0 0 0 2 4 1002";
+  const ParticleSet set = particles_of(one_frame(clump_columns, {turned}), with_cross());
+  const Particle& p = set.particles[0];
+  ASSERT_EQ(p.sphere_count, 4u);
+  // twice as large, turned by 90 degrees about z
+  EXPECT_NEAR(norm(set.spheres[0].centre - Vector3{1.0, 4.0, 3.0}), 0.0, 1e-14);
+  EXPECT_NEAR(norm(set.spheres[2].centre - Vector3{0.0, 2.0, 3.0}), 0.0, 1e-14);
+  EXPECT_NEAR(set.spheres[1].radius, 1.6, 1e-14);
+  EXPECT_NEAR(set.spheres[3].radius, 1.2, 1e-14);
+  // volume and moment about z by points of a grid
+  double volume = 0.0, moment = 0.0;
+  constexpr int cells = 160;
+  const double cell = 8.0 / cells;
+  for (int i = 0; i < cells; ++i)
+    for (int j = 0; j < cells; ++j)
+      for (int k = 0; k < cells; ++k) {
+        const Vector3 d{(i + 0.5) * cell - 4.0, (j + 0.5) * cell - 4.0, (k + 0.5) * cell - 4.0};
+        bool inside = false;
+        for (const Sphere& s : set.spheres)
+          inside = inside || norm(p.centre + d - s.centre) < s.radius;
+        volume += inside ? cell * cell * cell : 0.0;
+        moment += inside ? cell * cell * cell * (d.x * d.x + d.y * d.y) : 0.0;
+      }
+  EXPECT_NEAR(body_volume(set, p) / volume, 1.0, 2e-3);
+  const SymmetricMatrix3 inertia = body_inertia(p, 3.0);
+  EXPECT_NEAR(inertia.zz / (3.0 * moment / volume), 1.0, 2e-3);
+  EXPECT_NEAR(inertia.xy, 0.0, 1e-12);
+  EXPECT_NEAR(*energy(set, {}).rotation / (0.5 * inertia.zz * 4.0), 1.0, 1e-12);
+}
+
+TEST(Particles, clumps_without_their_spheres_are_refused) {
+  const std::string shape = "3.6 2.2 1.6 0 0 0 0 0 2 ";
+  const std::string place = "1 3 1 2 3 1 0 0 0 ";
+  const auto error = [&](const std::string& row, const ParticleOptions& options) {
+    return particle_error(clump_columns, row, options);
+  };
+  EXPECT_NE(error(place + shape + "4 1002", {}).find("give --clump 2=FILE"), std::string::npos);
+  EXPECT_NE(error(place + shape + "4 1001", with_cross()).find("give --clump 1=FILE"),
+            std::string::npos);
+  EXPECT_NE(error(place + shape + "5 1002", with_cross()).find("has 4 spheres, the particle 5"),
+            std::string::npos);
+  EXPECT_NE(error(place + "3.6 2.2 1.7 0 0 0 0 0 2 4 1002", with_cross()).find("another shape"),
+            std::string::npos);
+  EXPECT_NE(error(place + shape + "4 1002", with_cross("2=missing.csv")).find("cannot be read"),
+            std::string::npos);
+  for (const char* bad : {"cross.csv", "=cross.csv", "two=cross.csv", "0=cross.csv"})
+    EXPECT_NE(error(place + shape + "4 1002", with_cross(bad)).find("NUMBER=FILE"),
+              std::string::npos);
+}
+
+TEST(Particles, ellipsoids_of_three_axes_have_the_kernels_set) {
+  const ParticleSet set = particles_of(
+      one_frame("id x y z quat1 quat2 quat3 quat4 shapex shapey shapez f_subspheres f_spacing",
+                {"1 0 0 0 1 0 0 0 2 3 1 17 4"}),
+      {});
+  const SphereSet truth = make_ellipsoid_spheres({2.0, 3.0, 1.0}, 17, SphereSpacing::medial);
+  ASSERT_EQ(set.spheres.size(), 17u);
+  for (std::size_t k = 0; k < 17; ++k) {
+    EXPECT_EQ(norm(set.spheres[k].centre - truth.centres[k]), 0.0);
+    EXPECT_EQ(set.spheres[k].radius, truth.radii[k]);
+  }
+}
+
 TEST(Particles, spheres_of_the_hosts_multisphere_are_grouped_by_body) {
   const ParticleSet set = particles_of(
       one_frame("id id_multisphere x y z radius",
@@ -409,7 +490,7 @@ TEST(Particles, errors_name_column_row_and_range) {
             "test.dump:10: frame 1: expected a quaternion quat1..quat4 of length 1, found length "
             "1.4142135623730951");
   EXPECT_EQ(particle_error(columns, "1 0 0 0 1 0 0 0 2 1 1 2.5"),
-            "test.dump:10: frame 1: expected a whole number of sub-spheres from 0 to 999, found "
+            "test.dump:10: frame 1: expected a whole number of sub-spheres from 0 to 9999, found "
             "2.5");
   for (const char* bad :
        {"1 0 0 0 1 0 0 0 2 1 1 4", "1 0 0 0 1 0 0 0 1 2 2 5", "1 0 0 0 1 0 0 0 3 2 1 5"})
