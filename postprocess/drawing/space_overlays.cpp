@@ -44,9 +44,18 @@ using Edge = std::pair<Corner, Corner>;
 Corner key_of(const Vector3& v) { return {v.x, v.y, v.z}; }
 Vector3 vector_of(const Corner& c) { return {c[0], c[1], c[2]}; }
 
-/// The edges of a mesh that show its form.
-std::vector<Edge> edges_of(const std::vector<std::array<Vector3, 3>>& triangles) {
+/// Whether an edge between two triangles shows the form of a mesh: a fold, or where the surface
+/// turns away from the camera.
+bool is_shown(const Vector3& one, Vector3 other, const Vector3& towards) {
   constexpr double flat = 0.9397; // cosine of 20 degrees
+  if (dot(one, other) < 0.0)      // whatever the order of the corners
+    other = -other;
+  return dot(one, other) < flat || dot(one, towards) * dot(other, towards) < 0.0;
+}
+
+/// @param[in] towards the camera
+std::vector<Edge> edges_of(const std::vector<std::array<Vector3, 3>>& triangles,
+                           const Vector3& towards) {
   std::map<Edge, std::vector<Vector3>> normals_at;
   for (const auto& t : triangles) {
     const Vector3 normal = cross(t[1] - t[0], t[2] - t[0]);
@@ -57,7 +66,7 @@ std::vector<Edge> edges_of(const std::vector<std::array<Vector3, 3>>& triangles)
   }
   std::vector<Edge> edges;
   for (const auto& [edge, normals] : normals_at)
-    if (normals.size() != 2 || std::abs(dot(normals[0], normals[1])) < flat)
+    if (normals.size() != 2 || is_shown(normals[0], normals[1], towards))
       edges.push_back(edge);
   return edges;
 }
@@ -114,7 +123,7 @@ void draw_surfaces(Canvas& canvas, const SpaceProjection& to, const SpaceView& v
       canvas.polyline(corners, true, pale);
   }
   const Style line = line_style({0.30, 0.42, 0.55}, 1.5 * unit);
-  for (const auto& [begin, end] : edges_of(view.triangles))
+  for (const auto& [begin, end] : edges_of(view.triangles, Camera(view).towards))
     canvas.line(to.at(vector_of(begin)), to.at(vector_of(end)), line);
 }
 

@@ -33,7 +33,7 @@ void draw_axes(Canvas& canvas, const SpaceView& view, const PixelPoint& corner, 
 void draw_box(Canvas& canvas, const SpaceProjection& to, const Box& box, double unit);
 
 /// Plane walls that reach into what is shown or lie close by, as pale rectangles; of meshes the
-/// edges of surfaces and those where triangles meet at more than 20 degrees.
+/// edges of surfaces, folds of more than 20 degrees, and outlines as the camera sees them.
 /// @param[in] shown part of space
 void draw_surfaces(Canvas& canvas, const SpaceProjection& to, const SpaceView& view,
                    const Box& shown, double unit);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ellipsoid/ellipsoid_contact.h"
+#include "ellipsoid/perram_wertheim.h"
 #include "vectorised/batch.h"
 
 #include <algorithm>
@@ -19,8 +20,8 @@ struct FirstLook {
   double next_lambda = 0.5; ///< nearer to the maximum of the function
 };
 
-/// The function of Perram and Wertheim (1985, J. Comput. Phys. 58, 409) at one lambda: with
-/// y = ((1 - lambda) A_i + lambda A_j)^-1 d the point x_i + (1 - lambda) A_i y lies at the levels
+/// The function of Perram and Wertheim at one lambda (perram_wertheim.h): with y = G^-1 d the point
+/// x_i + (1 - lambda) A_i y lies at the levels
 /// (1 - lambda)^2 s_i(y)^2 and lambda^2 s_j(y)^2 of the bodies (1: surface), and y is the normal
 /// of a plane that separates them when s_i(y) + s_j(y) < y.d.
 /// @param[in] i, j the bodies' matrices A (length^2), @param[in] d from i's centre to j's (length)
@@ -28,15 +29,14 @@ inline FirstLook first_look(const SymmetricMatrix3& i, const SymmetricMatrix3& j
                             double lambda) {
   // far above the rounding of the most slender bodies that are read (aspect ratio 1e4)
   constexpr double well_inside = 1.0 - 1.0e-6;
-  const SymmetricMatrix3 g = (1.0 - lambda) * i + lambda * j;
-  const SymmetricMatrix3 cofactors = adjugate(g);
-  const Vector3 y = cofactors * d; // times the determinant
+  const PerramWertheim at(i, j, d, lambda);
+  const Vector3& y = at.y; // times the determinant
   const double s_i = std::sqrt(dot(y, i * y)), s_j = std::sqrt(dot(y, j * y));
-  const double determinant = g.xx * cofactors.xx + g.xy * cofactors.xy + g.xz * cofactors.xz;
+  const double determinant = at.determinant();
   const double sum = s_i + s_j;
   const bool touch = std::max((1.0 - lambda) * s_i, lambda * s_j) < well_inside * determinant;
-  const double next_lambda = sum > 0.0 ? s_i / sum : lambda;
-  return {sum < dot(y, d), touch, {y.x, y.y, y.z}, next_lambda}; // number by number: vectors
+  const double next = sum > 0.0 ? next_lambda(s_i, s_j) : lambda;
+  return {sum < dot(y, d), touch, {y.x, y.y, y.z}, next}; // number by number: vectors
 }
 
 /// Two looks at each of many pairs. All take the same operations: the compiler turns the loop into

@@ -126,8 +126,52 @@ def check_film():
     assert len(glob.glob("numbered_*.svg")) == 3
 
 
+def stl(triangles):
+    facets = ("facet normal 0 0 0\nouter loop\n" + "".join(f"vertex {x} {y} {z}\n" for x, y, z in t) +
+              "endloop\nendfacet\n" for t in triangles)
+    return "solid s\n" + "".join(facets) + "endsolid s\n"
+
+
+def check_walls_and_meshes():
+    """Seen along y, upright: x and z are pixels times one scale, known from the mesh's own sides."""
+    os.makedirs("walled", exist_ok=True)
+    write("walled/plate.stl", stl([[(0, 0, 0), (30, 0, 0), (30, 0, 40)], [(0, 0, 0), (30, 0, 40), (0, 0, 40)]]))
+    write("walled/log.run", "fix floor all wall/gran/ellipsoid model hertz surface smooth primitive type 1 zplane 0.005\n"
+          "fix far all wall/gran/ellipsoid model hertz surface smooth primitive type 1 zplane 7.0\n"
+          "fix plate all mesh/surface file plate.stl type 1 scale 0.001 move 0.01 0. 0.02\n"
+          "fix belt all mesh/surface file plate.stl type 1\nfix m all move/mesh mesh belt linear 1. 0. 0.\n")
+    rows = [particle(1, 0.02, 0.0), particle(2, 0.03, 0.0)]
+    for row in rows:
+        row["z"] = 0.03
+    name = write("walled/bed.dump", frame_text(3, rows))
+    camera = ("--azimuth", -90, "--elevation", 0, "--view", 0, 0.06, -0.01, 0.01, 0, 0.08)
+    _, error = post("render3d", name, "-o", "walls.svg", "--show-walls", *camera)
+    assert "mesh belt (plate.stl) is not shown: it moves" in error, error
+    with open("walls.svg", encoding="utf8") as file:
+        text = file.read()
+    pairs = [[tuple(map(float, p.split(","))) for p in points.split()] for points in
+             re.findall(r'<polyline points="([^"]*)"[^>]*stroke="#4d6b8c"', text)]
+    sides = sorted({round(abs(p[0] - q[0]) + abs(p[1] - q[1]), 1) for p, q in pairs})
+    assert len(pairs) == 4 and len(sides) == 2, pairs  # the rim, without the seam of the two triangles
+    scale = sides[0] / 0.03
+    assert abs(sides[1] / scale - 0.04) < 1e-5, sides
+    low = max(y for pair in pairs for _, y in pair)  # of the plate, at z = 0.02
+    (floor,) = re.findall(r'<polygon points="([^"]*)"[^>]*fill-opacity="0.15"', text)  # not the far one
+    corners = [tuple(map(float, p.split(","))) for p in floor.split()]
+    assert all(abs(y - low - 0.015 * scale) < 0.1 for _, y in corners), (corners, low)
+    assert abs(max(x for x, _ in corners) - min(x for x, _ in corners) - 0.06 * scale) < 0.1
+    post("render3d", name, "-o", "mesh.svg", "--mesh", "walled/plate.stl", *camera)
+    with open("mesh.svg", encoding="utf8") as file:
+        text = file.read()
+    assert text.count('stroke="#4d6b8c"') == 4 and "fill-opacity" not in text  # the mesh as it lies, no wall
+    post("render3d", name, "-o", "plain.svg", *camera)
+    with open("plain.svg", encoding="utf8") as file:
+        assert "#4d6b8c" not in file.read()
+
+
 series()
 check_render()
 check_nothing_is_overwritten()
 check_kinds_and_times()
 check_film()
+check_walls_and_meshes()

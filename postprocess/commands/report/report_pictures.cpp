@@ -21,7 +21,7 @@ constexpr std::size_t largest_sum = 1200000;
 constexpr int widths[] = {1200, 900, 720, 560, 440, 340, 260};
 
 /// Small pictures are read at their own size: their letters are larger.
-double letters_at(int width) { return std::max(1.0, 1000.0 / width); }
+double letters_at(int width) { return std::max(1.0, 750.0 / width); }
 
 /// The largest width at which a picture has no more bytes than its share, else the smallest.
 int fitting_width(const std::function<std::string(int width)>& drawn, std::size_t share) {

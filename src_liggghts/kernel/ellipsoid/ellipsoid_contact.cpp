@@ -2,6 +2,7 @@
 #include "ellipsoid/ellipsoid_contact.h"
 
 #include "ellipsoid/ellipsoid_overlap.h"
+#include "ellipsoid/perram_wertheim.h"
 
 #include <algorithm>
 #include <array>
@@ -166,11 +167,8 @@ ContactGeometry descend(const Vector3& start, const EllipsoidShape& i, const Ell
   return finish(f, ContactStatus::not_converged, options.newton_limit);
 }
 
-/// Normal at which both bodies, scaled about their centres by one common factor, just touch
-/// (Perram and Wertheim 1985, J. Comput. Phys. 58, 409): the maximum over lambda of
-/// lambda (1 - lambda) d^T G^-1 d, which is concave. Its derivative has the sign of
-/// (1 - lambda) s_i - lambda s_j at n ~ G^-1 d. The sign of phi at that normal tells whether
-/// the bodies touch at all, whatever their shapes.
+/// Normal at which both bodies, scaled about their centres by one common factor, just touch. The
+/// sign of phi at that normal tells whether the bodies touch at all, whatever their shapes.
 Vector3 first_normal(const EllipsoidShape& i, const EllipsoidShape& j,
                      const Vector3& centre_distance) {
   const double length = norm(centre_distance);
@@ -180,14 +178,12 @@ Vector3 first_normal(const EllipsoidShape& i, const EllipsoidShape& j,
   double low = 0.0, high = 1.0, lambda = 0.5;
   Vector3 n = d;
   for (int k = 0; k < tolerance::bracket_limit && high - low > tolerance::bracket_width; ++k) {
-    // G^-1 d up to a positive factor
-    const Vector3 y = adjugate((1.0 - lambda) * i.a_matrix + lambda * j.a_matrix) * d;
-    n = normalized(y);
+    n = normalized(PerramWertheim(i.a_matrix, j.a_matrix, d, lambda).y);
     const double s_i = support(i, n), s_j = support(j, n);
     if (s_i + s_j < dot(n, centre_distance))
       return n;
     ((1.0 - lambda) * s_i > lambda * s_j ? low : high) = lambda;
-    const double fixed_point = s_i / (s_i + s_j);
+    const double fixed_point = next_lambda(s_i, s_j);
     if (std::fabs(fixed_point - lambda) <= tolerance::bracket_width)
       return n;
     const bool inside = fixed_point > low && fixed_point < high;
