@@ -66,6 +66,17 @@ void plot(const PlotOptions& options) {
   fmt::print(stderr, "picture: {}\n", options.output);
 }
 
+void add_column_options(CLI::App& command, TableChart& columns) {
+  command.add_option("--x", columns.x, "column of the abscissa");
+  command.add_option("--y", columns.y, "columns of the ordinate, with commas")->delimiter(',');
+  command
+      .add_option("--margin", columns.margin, "columns of the margins of --y, in its order (curve)")
+      ->delimiter(',');
+  command.add_option("--group", columns.group, "column that tells curves apart");
+  command.add_option("--value", columns.value, "column of the colours of a map");
+  command.add_option("--title", columns.title, "words above a curve or map");
+}
+
 } // namespace
 
 void add_plot_command(CLI::App& program, int& exit_code) {
@@ -87,16 +98,7 @@ void add_plot_command(CLI::App& program, int& exit_code) {
                    "curve, map, or a figure of the paper: 5, 12, 13, 15, 17 or 18")
       ->required()
       ->check(CLI::IsMember(known_words()));
-  command->add_option("--x", options->columns.x, "column of the abscissa");
-  command->add_option("--y", options->columns.y, "columns of the ordinate, with commas")
-      ->delimiter(',');
-  command
-      ->add_option("--margin", options->columns.margin,
-                   "columns of the margins of --y, in its order (curve)")
-      ->delimiter(',');
-  command->add_option("--group", options->columns.group, "column that tells curves apart");
-  command->add_option("--value", options->columns.value, "column of the colours of a map");
-  command->add_option("--title", options->columns.title, "words above a curve or map");
+  add_column_options(*command, options->columns);
   command->add_option("files", options->files, "CSV files");
   command->add_option("--output,-o", options->output, "file name, ends in .svg or .png")
       ->required()

@@ -141,7 +141,10 @@ std::string label_of_key(const std::string& key) {
   return words + unit;
 }
 
-Chart curve_chart(const Table& table, const TableChart& what) {
+namespace {
+
+/// Throws InputError for a column that no row has.
+void require_columns(const Table& table, const TableChart& what) {
   require(table, what.x);
   if (what.margin.size() > what.y.size())
     throw InputError(
@@ -152,6 +155,12 @@ Chart curve_chart(const Table& table, const TableChart& what) {
       require(table, key);
   if (!what.group.empty())
     require(table, what.group);
+}
+
+} // namespace
+
+Chart curve_chart(const Table& table, const TableChart& what) {
+  require_columns(table, what);
   Chart chart;
   chart.title = what.title;
   chart.x_label = label_of_key(what.x);

@@ -116,25 +116,9 @@ void FixParticletemplateEllipsoid::parse(int narg, char** arg) {
       has_moments = true;
     } else if (keyword == "orientation") {
       planar_ = reader.choice(keyword, {"insert", "planar"}) == 1;
-    } else if (keyword == "subspheres") {
-      subspheres_ = reader.integer(keyword, 0, ellipsoid::largest_sphere_count);
-      stores_subspheres_ = true;
-    } else if (keyword == "spacing") {
-      const std::string word = reader.word(keyword);
-      try {
-        spacing_ = ellipsoid::sphere_spacing_from_word(word);
-      } catch (const std::invalid_argument& problem) {
-        reader.complain("keyword 'spacing': " + std::string(problem.what()));
-      }
-    } else if (keyword == "clump") {
-      clump_file_ = reader.word(keyword);
-    } else if (keyword == "clump_scale") {
-      clump_scale_ = reader.positive(keyword);
-    } else if (keyword == "write_clump") {
-      written_file_ = reader.word(keyword);
     } else if (keyword == "volume_limit") {
       vol_limit = reader.positive(keyword);
-    } else {
+    } else if (!parse_spheres(keyword, reader)) {
       reader.complain(
           "unknown keyword '" + keyword +
           "', allowed are 'atom_type', 'semiaxes', 'vary', 'density', 'mass', 'inertia', "
@@ -143,6 +127,31 @@ void FixParticletemplateEllipsoid::parse(int narg, char** arg) {
     }
   }
   finish(has_semiaxes, has_moments);
+}
+
+/// Keywords of multi-sphere particles. @return whether it is one of them
+bool FixParticletemplateEllipsoid::parse_spheres(const std::string& keyword,
+                                                 ellipsoid_host::ArgumentReader& reader) {
+  if (keyword == "subspheres") {
+    subspheres_ = reader.integer(keyword, 0, ellipsoid::largest_sphere_count);
+    stores_subspheres_ = true;
+  } else if (keyword == "spacing") {
+    const std::string word = reader.word(keyword);
+    try {
+      spacing_ = ellipsoid::sphere_spacing_from_word(word);
+    } catch (const std::invalid_argument& problem) {
+      reader.complain("keyword 'spacing': " + std::string(problem.what()));
+    }
+  } else if (keyword == "clump") {
+    clump_file_ = reader.word(keyword);
+  } else if (keyword == "clump_scale") {
+    clump_scale_ = reader.positive(keyword);
+  } else if (keyword == "write_clump") {
+    written_file_ = reader.word(keyword);
+  } else {
+    return false;
+  }
+  return true;
 }
 
 /// vary all|a|b|c|bc uniform|gaussian|lognormal first second

@@ -73,6 +73,7 @@ class FixParticletemplateEllipsoid : public FixTemplateSphere {
   int clump_number_ = 0; // from 1; 0: no clump
 
   void parse(int narg, char** arg);
+  bool parse_spheres(const std::string& keyword, ellipsoid_host::ArgumentReader& reader);
   void parse_variation(ellipsoid_host::ArgumentReader& reader);
   template <class Value> ellipsoid::Vector3 varied(Value value_of) const;
   void check_moments() const;
