@@ -4,6 +4,7 @@ Every cell is compared with the tool's output, rounded to the digits of the cell
 lost rows, and a value that was changed by one in its last digit, must be noticed.
 """
 
+import math
 import os
 import pathlib
 import re
@@ -61,8 +62,34 @@ def complaints(text, comparison, geometry):
             if found != expected]
 
 
+def needed_cells(text, spacing):
+    """{(b/a, c/a): N} of a table of numbers needed."""
+    table = next(t for t in tables(text) if t[0][0] == f"b/a, {spacing}")
+    ratios = [float(re.sub("c/a = ", "", head)) for head in table[0][1:]]
+    return {(float(row[0]), c): cell for row in table[1:] for c, cell in zip(ratios, row[1:])}
+
+
+def number(cell):
+    return math.inf if cell == "> 999" else int(cell)
+
+
+def check_needed(text):
+    """The cells that are cheap to find again, and the order of the others."""
+    (row,) = rows_of("template", "--needed", "0.01", "--ratios", "0.8")
+    for spacing in ("medial", "minimax_volume"):
+        cells = needed_cells(text, spacing)
+        assert cells[0.8, 0.8] == row[spacing], (spacing, cells[0.8, 0.8], row)
+        for (b, c), cell in cells.items():
+            assert (cell == "-") == (c > b), (b, c, cell)
+            if c < b < 1.0:  # rounder in the plane: more spheres
+                assert number(cell) < number(cells[1.0, c]), (b, c)
+            if c < b and spacing == "minimax_volume" and cell != "> 999":
+                assert number(cell) < number(needed_cells(text, "medial")[b, c]), (b, c)
+
+
 def main():
-    text = PAGE.read_text()
+    text, sets = PAGE.read_text().split("## Sets of spheres", 1)
+    check_needed(sets)
     comparison, geometry = (rows_of(*command) for command in commands(text))
     found = complaints(text, comparison, geometry)
     assert not found, "\n".join(found)
