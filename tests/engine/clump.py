@@ -3,12 +3,13 @@ chains, walls and insertion by brute force, exchange between ranks, dumps, data 
 input."""
 
 import math
+import os
 import unittest
 from pathlib import Path
 
 import numpy as np
 
-from _engine import LAW, Setup, dump, read_dump, rotation, run, vectors
+from _engine import LAW, Setup, dump, read_dump, rotation, run, run_example, vectors
 from _multisphere import chain, multisphere_setup
 
 # A hook: nothing symmetric about it (m).
@@ -243,6 +244,22 @@ class ChainAsClump(unittest.TestCase):
         print(f"{hit.sum()} of {len(hit)} particles have collided; positions differ by {worst:.1e} a")
         self.assertGreater(hit.sum(), 20)
         self.assertLess(worst, 1e-9)
+
+
+class Example(unittest.TestCase):
+    def test_drum(self):
+        """inputs/clumps.in in a short form: all stay within the drum, of all three kinds."""
+        source = Path(os.environ["ELLIPSOID_SOURCE"]) / "inputs"
+        run_example("clumps", {"particles": 40, "fill": 0.05, "turn": 0.05, "dump_time": 0.05, "out": "drum",
+                               "meshes": source / "meshes", "clumps": source / "clumps"})
+        files = sorted(Path("drum").glob("clumps.*.dump"))
+        self.assertGreaterEqual(len(files), 2)
+        _, columns = read_dump(files[-1])
+        self.assertEqual(columns["id"].shape[1], 40)
+        self.assertEqual(set(columns["f_spacing"][-1]), {0.0, 1001.0, 1002.0})
+        distance = np.hypot(columns["x"][-1], columns["z"][-1])
+        self.assertLess(distance.max(), 0.030)  # the drum's radius
+        self.assertLess(columns["z"][-1].mean(), -0.01)  # they have fallen
 
 
 def fails(script):
