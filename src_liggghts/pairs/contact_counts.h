@@ -10,10 +10,11 @@ struct ContactCounts {
   enum Item {
     touching_pairs,
     contacts,
-    near_pairs,
+    listed_pairs, ///< in the host's lists: bounding spheres are near
     tested,
     newton_steps,
     not_converged,
+    near_pairs, ///< of these by their true shapes
     item_count
   };
   double values[item_count] = {};

@@ -75,14 +75,20 @@ ContactCounts MultisphereContacts::compute(PairForces& forces, bool is_time_step
         prefetch, [this, &forces](NearPair& pair) { return update_contacts(pair, forces); });
   }
   forces.apply_added();
+  counts_.values[ContactCounts::listed_pairs] = listed_pairs_;
   counts_.values[ContactCounts::near_pairs] = near_pairs_;
   return counts_;
 }
 
 void MultisphereContacts::begin_lists() {
-  pairs_.restart(static_cast<std::size_t>(atom->nlocal + atom->nghost));
-  near_pairs_ = 0.0;
-  pairs_.for_each([this](std::uint32_t, int, int j) { near_pairs_ += share(j); });
+  listed_pairs_ = near_pairs_ = 0.0;
+  pairs_.restart(neighbor->skin, clocks(),
+                 [this](const NeighbourPairs::Candidate* candidates, int count, bool* keep) {
+                   std::fill_n(keep, count, true);
+                   for (int k = 0; k < count; ++k)
+                     listed_pairs_ += share(candidates[k].j);
+                 });
+  near_pairs_ = listed_pairs_;
   near_spheres_.restart(pairs_.size());
 }
 

@@ -43,7 +43,7 @@ class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers 
   ParticleArrays particles_;
   ellipsoid_host::MultisphereParticles chains_;
   NeighbourPairs pairs_;
-  double near_pairs_ = 0.0;
+  double listed_pairs_ = 0.0, near_pairs_ = 0.0;
   ContactCounts counts_;
   ellipsoid::NearSpheres near_spheres_;
   std::vector<ellipsoid::NearSpheres::Touching> touching_; // room for all spheres of a pair

@@ -1,9 +1,34 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "neighbour_pairs.h"
 
+#include <algorithm>
+
 using namespace LIGGGHTS;
 
-void NeighbourPairs::restart(std::size_t particles) {
+namespace {
+
+/// The margin of a particle is half the skin, as that of its centre in the host's lists, or what it
+/// moves in so many steps: a body that spins fast does not have the pairs of all others chosen anew
+/// all the time.
+constexpr double steps_in_margin = 20.0;
+
+} // namespace
+
+void NeighbourPairs::begin_choice(double skin, ellipsoid::MotionClocks& clocks) {
+  for (std::size_t particle = 0; particle < clocks.size(); ++particle)
+    clocks.set_margin(particle, std::max(0.5 * skin, steps_in_margin * clocks.way(particle)));
   active_.clear();
-  checks_.restart(particles, [this](const auto& visit) { for_each_in_lists(visit); });
+  places_.clear();
+  ends_.assign(clocks.size(), 0);
+}
+
+void NeighbourPairs::end_choice(std::size_t particles) {
+  std::uint32_t end = 0; // particles without near pairs end where the one before does
+  for (int k = 0; k < lists_->inum; ++k) {
+    std::uint32_t& own = ends_[static_cast<std::size_t>(lists_->ilist[k])];
+    own = end = std::max(end, own);
+  }
+  checks_.restart(particles, [this](const auto& visit) {
+    for_each([&visit](std::uint32_t, int i, int j) { visit(i, j); });
+  });
 }

@@ -1,7 +1,10 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// The pairs of the neighbour lists: those that are dealt with in every step (active), and those
-// whose next check is deferred until their particles may touch (deferred_checks.h).
+// The near pairs of the neighbour lists: those that are dealt with in every step (active), and
+// those whose next check is deferred until their particles may touch (deferred_checks.h). The
+// host's lists hold pairs whose bounding spheres are near; most pairs of long or flat particles are
+// far apart all the same. These are left out until a particle has moved by more than its margin
+// (motion_clocks.h), rotation included; then the near pairs are chosen anew from the same lists.
 #ifndef NEIGHBOUR_PAIRS_H_
 #define NEIGHBOUR_PAIRS_H_
 
@@ -26,25 +29,60 @@ class NeighbourPairs {
     history_values_ = history_values;
   }
 
-  /// The lists are new: no pair is active, none deferred.
-  /// @param[in] particles number of owned particles and ghosts
-  void restart(std::size_t particles);
+  /// A pair of the lists: the host's numbering.
+  struct Candidate {
+    int i, j;
+    std::uint32_t place; ///< of j in the list of i
+  };
+
+  /// Chooses the near pairs: no pair is active then, none deferred. All particles get new margins,
+  /// those that turn fast larger ones.
+  /// @param[in] skin of the neighbour lists (length)
+  /// @param[in] choose choose(candidates, count, keep): sets keep[k] to whether pair k is not
+  /// proved
+  ///            to be farther apart than both margins; count is up to candidates_together
+  template <class Choose>
+  void restart(double skin, ellipsoid::MotionClocks& clocks, const Choose& choose) {
+    begin_choice(skin, clocks);
+    Candidate candidates[candidates_together];
+    int count = 0;
+    for_each_in_lists([&](const Candidate& candidate) {
+      candidates[count++] = candidate;
+      if (count == candidates_together) {
+        keep_near(candidates, count, choose);
+        count = 0;
+      }
+    });
+    keep_near(candidates, count, choose);
+    end_choice(clocks.size());
+  }
+  static constexpr int candidates_together = 64;
+
+  /// Number of near pairs.
   std::size_t size() const { return checks_.size(); }
 
-  /// Calls visit(index, i, j) for all pairs.
+  /// Calls visit(index, i, j) for all near pairs.
   template <class Visit> void for_each(const Visit& visit) const {
     std::uint32_t index = 0;
-    for_each_in_lists([&](int i, int j) { visit(index++, i, j); });
+    for (int k = 0; k < lists_->inum; ++k) {
+      const int i = lists_->ilist[k];
+      for (const std::uint32_t end = ends_[static_cast<std::size_t>(i)]; index < end; ++index)
+        visit(index, i, partner(i, places_[index]));
+    }
+  }
+
+  /// Whether the contact models have a contact, or had one when the lists were made.
+  bool is_flagged(const Candidate& candidate) const {
+    return histories_->firstneigh[candidate.i][candidate.place] != 0;
+  }
+  double* history(const Candidate& candidate) const {
+    return &histories_->firstdouble[candidate.i]
+                                   [static_cast<std::size_t>(history_values_) * candidate.place];
   }
 
   NearPair pair(std::uint32_t index, int i, int j) const {
-    const std::size_t k = index - checks_.first_index(i);
-    return {index,
-            i,
-            j,
-            false,
-            &histories_->firstneigh[i][k],
-            &histories_->firstdouble[i][static_cast<std::size_t>(history_values_) * k]};
+    const Candidate own{i, j, places_[index]};
+    return {index, i, j, false, &histories_->firstneigh[i][own.place], history(own)};
   }
 
   void activate(const NearPair& pair) { active_.push_back(pair); }
@@ -101,15 +139,35 @@ class NeighbourPairs {
   const LAMMPS_NS::NeighList* lists_ = nullptr;
   const LAMMPS_NS::NeighList* histories_ = nullptr;
   int history_values_ = 0;
+  std::vector<std::uint32_t> places_; ///< of the near pairs in the host's lists
+  std::vector<std::uint32_t> ends_;   ///< by i: index after its last near pair
   std::vector<NearPair> active_;
   ellipsoid::DeferredChecks checks_;
+
+  int partner(int i, std::uint32_t place) const { return lists_->firstneigh[i][place] & NEIGHMASK; }
 
   template <class Visit> void for_each_in_lists(const Visit& visit) const {
     for (int k = 0; k < lists_->inum; ++k) {
       const int i = lists_->ilist[k];
-      for (int l = 0; l < lists_->numneigh[i]; ++l)
-        visit(i, lists_->firstneigh[i][l] & NEIGHMASK);
+      const auto count = static_cast<std::uint32_t>(lists_->numneigh[i]);
+      for (std::uint32_t place = 0; place < count; ++place)
+        visit(Candidate{i, partner(i, place), place});
     }
+  }
+
+  void begin_choice(double skin, ellipsoid::MotionClocks& clocks);
+  void end_choice(std::size_t particles);
+
+  template <class Choose>
+  void keep_near(const Candidate* candidates, int count, const Choose& choose) {
+    bool keep[candidates_together];
+    choose(candidates, count, keep);
+    for (int k = 0; k < count; ++k)
+      if (keep[k]) {
+        places_.push_back(candidates[k].place);
+        ends_[static_cast<std::size_t>(candidates[k].i)] =
+            static_cast<std::uint32_t>(places_.size());
+      }
   }
 };
 

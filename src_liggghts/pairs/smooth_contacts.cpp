@@ -35,23 +35,54 @@ ContactCounts SmoothContacts::compute(PairForces& forces, bool is_time_step) {
   if (!is_time_step)
     motions_.clocks().forget();
   const bool new_lists = motions_.update(*atom, update->dt, neighbor->ago == 0);
-  shapes_.begin_step(*atom, new_lists);
+  const bool new_pairs = new_lists || motions_.clocks().a_margin_is_used_up();
+  shapes_.begin_step(*atom, new_pairs);
   flags_are_set_ = !new_lists;
-  if (new_lists) {
-    begin_lists();
+  if (new_pairs) {
+    choose_pairs();
     check_new_pairs(forces);
   } else {
     check_due_pairs(forces);
   }
   search_active_pairs(forces);
+  counts_.values[ContactCounts::listed_pairs] = listed_pairs_;
   counts_.values[ContactCounts::near_pairs] = near_pairs_;
   return counts_;
 }
 
-void SmoothContacts::begin_lists() {
-  pairs_.restart(static_cast<std::size_t>(atom->nlocal + atom->nghost));
-  near_pairs_ = 0.0;
+void SmoothContacts::choose_pairs() {
+  listed_pairs_ = near_pairs_ = 0.0;
+  pairs_.restart(neighbor->skin, motions_.clocks(),
+                 [this](const NeighbourPairs::Candidate* candidates, int count, bool* keep) {
+                   choose(candidates, count, keep);
+                 });
   pairs_.for_each([this](std::uint32_t, int, int j) { near_pairs_ += share(j); });
+}
+
+/// Flagged pairs are kept wherever they are: a contact that is over has to be closed.
+__attribute__((noinline)) void SmoothContacts::choose(const NeighbourPairs::Candidate* candidates,
+                                                      int count, bool* keep) {
+  int asked[NeighbourPairs::candidates_together];
+  first_gaps_.clear();
+  for (int k = 0; k < count; ++k) {
+    const NeighbourPairs::Candidate& pair = candidates[k];
+    listed_pairs_ += share(pair.j);
+    const Vector3 distance = centre_distance(pair.i, pair.j);
+    keep[k] = pairs_.is_flagged(pair);
+    if (keep[k] || bounding_gap(pair.i, pair.j, distance) > margins(pair.i, pair.j))
+      continue;
+    asked[first_gaps_.size()] = k;
+    first_gaps_.add(shapes_[pair.i], shapes_[pair.j], distance);
+  }
+  if (first_gaps_.size() == 0)
+    return;
+  first_gaps_.find();
+  for (int k = 0; k < first_gaps_.size(); ++k) {
+    const NeighbourPairs::Candidate& pair = candidates[asked[k]];
+    keep[asked[k]] = !(first_gaps_.gap(k) > margins(pair.i, pair.j));
+    if (keep[asked[k]])
+      store(-first_gaps_.normal(k), pairs_.history(pair) + normal_x);
+  }
 }
 
 Vector3 SmoothContacts::centre_distance(int i, int j) const {
@@ -59,8 +90,8 @@ Vector3 SmoothContacts::centre_distance(int i, int j) const {
 }
 
 /// Gap between the bounding spheres, 0 if they overlap.
-double SmoothContacts::bounding_gap(const NearPair& pair, const Vector3& distance) const {
-  const double reach = particles_.radius[pair.i] + particles_.radius[pair.j],
+double SmoothContacts::bounding_gap(int i, int j, const Vector3& distance) const {
+  const double reach = particles_.radius[i] + particles_.radius[j],
                squared = dot(distance, distance);
   return squared < reach * reach ? 0.0 : std::sqrt(squared) - reach;
 }
@@ -111,7 +142,7 @@ void SmoothContacts::check_due_pairs(PairForces& forces) {
 __attribute__((noinline)) void SmoothContacts::check_gaps(PairForces& forces) {
   for (const NearPair& pair : to_check_) {
     const Vector3 distance = centre_distance(pair.i, pair.j);
-    const double gap = bounding_gap(pair, distance);
+    const double gap = bounding_gap(pair.i, pair.j, distance);
     if (gap > 0.0) {
       close_and_defer(pair, gap, normalized(distance), forces);
       continue;
@@ -203,7 +234,7 @@ __attribute__((noinline)) bool SmoothContacts::search_alone(const NearPair& pair
                                                             PairForces& forces) {
   const Contact contact{pair.i, pair.j, pair.flag, pair.history, 1.0, -1, -1};
   const Vector3 distance = centre_distance(pair.i, pair.j);
-  const double bounding_gap = this->bounding_gap(pair, distance);
+  const double bounding_gap = this->bounding_gap(pair.i, pair.j, distance);
   if (bounding_gap > 0.0) {
     close_and_defer(pair, bounding_gap, normalized(distance), forces);
     return false;

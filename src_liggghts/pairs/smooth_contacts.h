@@ -8,6 +8,7 @@
 #define SMOOTH_CONTACTS_H_
 
 #include "ellipsoid/contact_batch.h"
+#include "ellipsoid/first_gaps.h"
 #include "ellipsoid_shapes.h"
 #include "neighbour_pairs.h"
 #include "pair_forces.h"
@@ -33,7 +34,7 @@ class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
   EllipsoidShapes shapes_;
   SurfaceMotions motions_;
   NeighbourPairs pairs_;
-  double near_pairs_ = 0.0;
+  double listed_pairs_ = 0.0, near_pairs_ = 0.0;
   bool is_time_step_ = false;
   bool flags_are_set_ = false; // of all pairs that touched in the last step
   ContactCounts counts_;
@@ -42,6 +43,7 @@ class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
   static constexpr std::size_t checked_together = 4096; // or a few more
   std::vector<NearPair> to_check_;
   NearPair in_check_[ellipsoid::ContactBatch::capacity];
+  ellipsoid::FirstGaps first_gaps_; // of candidates
   /// Pairs that touched in the last step, searched together.
   Contact in_search_[ellipsoid::ContactBatch::capacity];
   ellipsoid::ContactBatch batch_;
@@ -57,7 +59,8 @@ class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
     bool is_apart, has_converged;
   };
 
-  void begin_lists();
+  void choose_pairs();
+  void choose(const NeighbourPairs::Candidate* candidates, int count, bool* keep);
   void check_new_pairs(PairForces& forces);
   void check_due_pairs(PairForces& forces);
   void check_gaps(PairForces& forces);
@@ -71,10 +74,12 @@ class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
   void count(const SearchCounts& counts);
 
   ellipsoid::Vector3 centre_distance(int i, int j) const;
-  double bounding_gap(const NearPair& pair, const ellipsoid::Vector3& distance) const;
+  double bounding_gap(int i, int j, const ellipsoid::Vector3& distance) const;
   void defer(const NearPair& pair, double gap, const ellipsoid::Vector3& normal);
   void close_and_defer(const NearPair& pair, double gap, const ellipsoid::Vector3& normal,
                        PairForces& forces);
+  /// Farther apart than this, a pair may be left out (length).
+  double margins(int i, int j) { return motions_.clocks().margin(i) + motions_.clocks().margin(j); }
   double share(int j) const { return j < particles_.owned ? 1.0 : 0.5; }
 };
 

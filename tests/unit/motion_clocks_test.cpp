@@ -149,4 +149,38 @@ TEST(MotionClocks, restart_remembers_only_what_is_usual) {
   EXPECT_TRUE(bodies.due(until));
 }
 
+TEST(MotionClocks, margins_are_used_up_by_any_motion) {
+  std::mt19937_64 engine(20261127);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (int body : {0, 1, 70, 199}) { // of several batches
+    MotionClocks clocks;
+    clocks.restart(200);
+    for (std::size_t k = 0; k < clocks.size(); ++k)
+      clocks.set_margin(k, static_cast<int>(k) == body ? 1.0 : 2.0);
+    double moved = 0.0;
+    int steps = 0;
+    do {
+      ASSERT_LE(moved, 1.0) << "body " << body;
+      const double share = 0.01 * uniform(engine), length = 0.01 * uniform(engine);
+      const Motion motion{{0.6 * length, 0.0, -0.8 * length}, share};
+      clocks.advance_all([&motion](std::size_t, Motions& motions) {
+        for (int k = 0; k < motions.count; ++k)
+          motions.set(k, motion);
+      });
+      moved += length + share;
+      EXPECT_NEAR(clocks.way(7), length + share, 1e-17);
+      EXPECT_NEAR(clocks.margin(body), 1.0 - moved, 1e-8);
+      ++steps;
+    } while (!clocks.a_margin_is_used_up());
+    EXPECT_GT(moved, 1.0 - 1e-8);
+    EXPECT_GT(steps, 50);
+    clocks.set_margin(static_cast<std::size_t>(body), 1.0);
+    clocks.advance_all([](std::size_t, Motions& motions) {
+      for (int k = 0; k < motions.count; ++k)
+        motions.set(k, {});
+    });
+    EXPECT_FALSE(clocks.a_margin_is_used_up());
+  }
+}
+
 } // namespace ellipsoid

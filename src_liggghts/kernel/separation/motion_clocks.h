@@ -15,6 +15,10 @@
 //   k = g / c                     where c >= sqrt(p g),
 //   k = (2 sqrt(p g) - c) / p     elsewhere.
 // This is true of any paces; paces near the usual change of a step make k p last longest.
+//
+// Most pairs of a neighbour list are too far apart to be worth a proof of their own. Each body has
+// a margin, too: a length that |w| + t use up step by step. Two bodies that are farther apart than
+// both their margins stay apart until one of the margins is used up.
 #pragma once
 
 #include "math/vector3.h"
@@ -56,6 +60,8 @@ class MotionClocks {
     turn_.assign(bodies, 0.0);
     pace_.assign(bodies, pace);
     time_.assign(bodies, 0.0);
+    margin_.assign(bodies, 0.0);
+    used_up_ = 0;
     steps_ = pace_per_time_ = 0.0;
   }
   /// Before restart(): the clocks are then as new ones. A run that is set up in the middle goes on
@@ -69,10 +75,17 @@ class MotionClocks {
     turn_[body] = motion.turn;
   }
 
+  /// From now on the body may move by so much (length). What is left of it is its margin().
+  void set_margin(std::size_t body, double margin) { margin_[body] = trusted_share * margin; }
+  double margin(int body) const { return margin_[static_cast<std::size_t>(body)]; }
+  /// Whether a body has moved by more than its margin when the last step ended.
+  bool a_margin_is_used_up() const { return used_up_ > 0; }
+
   /// To be called once per step, before all advance().
   void begin_step() {
     steps_ += 1.0;
     pace_per_time_ = pace_share / steps_;
+    used_up_ = 0;
   }
   /// @param[in] motions of bodies in this step, from body `first` on
   void advance_from(std::size_t first, const Motions& motions);
@@ -127,6 +140,11 @@ class MotionClocks {
     const double steps = approach >= root ? trusted / approach : (2.0 * root - approach) / both;
     return {time(i) + steps * pace_i, time(j) + steps * pace_j};
   }
+  /// What the body moves in a step (length).
+  double way(std::size_t body) const {
+    const Motion own = motion(static_cast<int>(body));
+    return norm(own.displacement) + own.turn;
+  }
   /// The gap that is good for so many steps if motions change as usual (length, >= 0).
   double gap_for(double steps, int i, int j, double approach) {
     const double both = pace(i) + pace(j), least = both * steps;
@@ -146,6 +164,8 @@ class MotionClocks {
   std::vector<double> displacement_, turn_; // in the last step: 3 numbers and one per body
   std::vector<double> pace_; // never slows down: deadlines were made with it (length)
   std::vector<double> time_;
+  std::vector<double> margin_; // what is left of it (length)
+  int used_up_ = 0;            // margins
   double steps_ = 0.0;         // since restart()
   double pace_per_time_ = 0.0; // of the clock
 
