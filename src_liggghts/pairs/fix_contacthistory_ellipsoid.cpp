@@ -99,7 +99,7 @@ void FixContactHistoryEllipsoid::save() {
       if (!histories.firstneigh[i][l] || !(is_short || pair().more_history().size(index) > 0))
         continue;
       const int j = list.firstneigh[i][l] & NEIGHMASK;
-      const double* row = &histories.firstdouble[i][static_cast<std::ptrdiff_t>(pair().dnum()) * l];
+      const double* row = pair().history(histories.firstdouble[i], l);
       const std::vector<double>& more = pair().more_history().of(index);
       save_contact(i, j, row, more, 1.0);
       if (j < owned)
@@ -156,7 +156,7 @@ void FixContactHistoryEllipsoid::give_back() {
     for (int l = 0; l < list.numneigh[i]; ++l, ++index)
       if (histories.firstneigh[i][l])
         give_back_pair(index, i, list.firstneigh[i][l] & NEIGHMASK, &histories.firstneigh[i][l],
-                       &histories.firstdouble[i][static_cast<std::ptrdiff_t>(pair().dnum()) * l]);
+                       pair().history(histories.firstdouble[i], l));
   }
 }
 

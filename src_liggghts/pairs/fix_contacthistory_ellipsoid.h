@@ -31,6 +31,8 @@ class FixContactHistoryEllipsoid : public Fix, public ellipsoid_host::KnowsNumbe
   void histories_changed() { are_changed_ = true; }
   /// Gives the pairs of new lists what was saved; does nothing if they have it.
   void give_back();
+  /// The pairs have got what the host's fix keeps, which does not tell images from each other.
+  void give_back_again() { are_to_be_given_ = true; }
 
   void pre_exchange() override;
   void setup_pre_exchange() override { pre_exchange(); }

@@ -42,7 +42,7 @@ class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers 
   LAMMPS_NS::PairGranEllipsoid& pair_;
   ParticleArrays particles_;
   ellipsoid_host::MultisphereParticles chains_;
-  NeighbourPairs pairs_;
+  NeighbourPairs pairs_{NeighbourPairs::Histories::of_all};
   double listed_pairs_ = 0.0, near_pairs_ = 0.0;
   ContactCounts counts_;
   ellipsoid::NearSpheres near_spheres_;

@@ -14,9 +14,31 @@ constexpr double steps_in_margin = 20.0;
 
 } // namespace
 
+/// The host flags pairs whose ids it knows.
+void NeighbourPairs::recall_rows(LAMMPS_NS::FixContactHistory& kept, const int* tags) {
+  active_.clear();
+  rows_.clear(history_values_);
+  for_each_in_lists([&](const Candidate& pair) {
+    double& number = histories_->firstdouble[pair.i][pair.place];
+    number = 0.0;
+    if (!is_flagged(pair))
+      return;
+    const int row = rows_.take(), id = tags[pair.j];
+    number = row;
+    for (int partner = 0; partner < kept.n_partner(pair.i); ++partner)
+      if (kept.partner(pair.i, partner) == id) {
+        kept.contacthistory(pair.i, partner, rows_.at(row));
+        break;
+      }
+  });
+}
+
 void NeighbourPairs::begin_choice(double skin, ellipsoid::MotionClocks& clocks) {
   for (std::size_t particle = 0; particle < clocks.size(); ++particle)
     clocks.set_margin(particle, std::max(0.5 * skin, steps_in_margin * clocks.way(particle)));
+  for (NearPair& pair : active_)
+    if (in_rows_ && pair.history && !*pair.flag)
+      end_history(pair);
   active_.clear();
   places_.clear();
   ends_.assign(clocks.size(), 0);

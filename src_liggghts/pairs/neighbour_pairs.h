@@ -8,6 +8,8 @@
 #ifndef NEIGHBOUR_PAIRS_H_
 #define NEIGHBOUR_PAIRS_H_
 
+#include "fix_contact_history.h"
+#include "history_rows.h"
 #include "near_pair.h"
 #include "neigh_list.h"
 #include "neighbor.h"
@@ -20,6 +22,11 @@ namespace LIGGGHTS {
 
 class NeighbourPairs {
  public:
+  /// Where the histories of pairs are: all of them in the host's lists, or only those of pairs that
+  /// touch, in rows. The lists hold the number of the row then.
+  enum class Histories { of_all, of_touching };
+  explicit NeighbourPairs(Histories histories) : in_rows_(histories == Histories::of_touching) {}
+
   /// @param[in] lists of the pair style, @param[in] histories as many lists of flags and histories
   /// @param[in] history_values of a pair
   void begin_step(const LAMMPS_NS::NeighList* lists, const LAMMPS_NS::NeighList* histories,
@@ -27,6 +34,24 @@ class NeighbourPairs {
     lists_ = lists;
     histories_ = histories;
     history_values_ = history_values;
+  }
+
+  /// Histories in rows: the lists are new. Pairs that touched before get back what the host has
+  /// kept.
+  /// @param[in] tags ids of the particles
+  void recall_rows(LAMMPS_NS::FixContactHistory& kept, const int* tags);
+  const HistoryRows& rows() const { return rows_; }
+  /// The pair, which has no history, gets one: numbers that are 0.
+  void begin_history(NearPair& pair) {
+    const int row = rows_.take();
+    row_number(pair) = row;
+    pair.history = rows_.at(row);
+  }
+  void end_history(NearPair& pair) {
+    double& row = row_number(pair);
+    rows_.give_back(static_cast<int>(row));
+    row = 0.0;
+    pair.history = nullptr;
   }
 
   /// A pair of the lists: the host's numbering.
@@ -75,9 +100,13 @@ class NeighbourPairs {
   bool is_flagged(const Candidate& candidate) const {
     return histories_->firstneigh[candidate.i][candidate.place] != 0;
   }
+  /// Null: in rows, and the pair has none.
   double* history(const Candidate& candidate) const {
-    return &histories_->firstdouble[candidate.i]
-                                   [static_cast<std::size_t>(history_values_) * candidate.place];
+    double* list = histories_->firstdouble[candidate.i];
+    if (!in_rows_)
+      return &list[static_cast<std::size_t>(history_values_) * candidate.place];
+    const int row = static_cast<int>(list[candidate.place]);
+    return row == 0 ? nullptr : rows_.at(row);
   }
 
   NearPair pair(std::uint32_t index, int i, int j) const {
@@ -139,11 +168,16 @@ class NeighbourPairs {
   const LAMMPS_NS::NeighList* lists_ = nullptr;
   const LAMMPS_NS::NeighList* histories_ = nullptr;
   int history_values_ = 0;
+  const bool in_rows_;
+  HistoryRows rows_;
   std::vector<std::uint32_t> places_; ///< of the near pairs in the host's lists
   std::vector<std::uint32_t> ends_;   ///< by i: index after its last near pair
   std::vector<NearPair> active_;
   ellipsoid::DeferredChecks checks_;
 
+  double& row_number(const NearPair& pair) const {
+    return histories_->firstdouble[pair.i][pair.flag - histories_->firstneigh[pair.i]];
+  }
   int partner(int i, std::uint32_t place) const { return lists_->firstneigh[i][place] & NEIGHMASK; }
 
   template <class Visit> void for_each_in_lists(const Visit& visit) const {

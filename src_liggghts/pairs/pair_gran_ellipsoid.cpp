@@ -13,8 +13,10 @@
 #include "model_settings.h"
 #include "modify.h"
 #include "multisphere_contacts.h"
+#include "neigh_request.h"
 #include "neighbor.h"
 #include "pair_forces.h"
+#include "pair_histories.h"
 #include "particle_check.h"
 #include "smooth_contacts.h"
 #include "update.h"
@@ -200,12 +202,44 @@ void PairGranEllipsoid::init_style() {
   check_pages();
   ellipsoid_host::check_particles(lmp, "pair_style gran/ellipsoid");
   PairGran::init_style();
+  shorten_lists();
   if (store_multicontact_data_)
     error->all(FLERR, "pair_style gran/ellipsoid does not work with fix multicontact/halfspace; "
                       "remove that fix");
   keep_arguments();
   keep_history();
 }
+
+/// Of the pairs that touch alone there are histories: the host's lists need room for their numbers.
+void PairGranEllipsoid::shorten_lists() {
+  if (!contacts_->history_rows())
+    return;
+  for (int k = 0; k < neighbor->nrequest; ++k)
+    if (neighbor->requests[k]->requestor == this && neighbor->requests[k]->granhistory)
+      neighbor->requests[k]->dnum = 1;
+}
+
+double* PairGranEllipsoid::history(double* in_list, int place) const {
+  const HistoryRows* rows = contacts_->history_rows();
+  return rows ? rows->at(static_cast<int>(in_list[place]))
+              : &in_list[fix_history->get_dnum() * place];
+}
+
+void PairGranEllipsoid::keep_histories() { contacts_->histories_are_kept(true); }
+
+namespace ellipsoid_host {
+
+double* pair_history(Pair* pair, double* in_list, int values, int place) {
+  const auto* own = dynamic_cast<const PairGranEllipsoid*>(pair);
+  return own ? own->history(in_list, place) : &in_list[values * place];
+}
+
+void keep_pair_histories(Pair* pair) {
+  if (auto* own = dynamic_cast<PairGranEllipsoid*>(pair))
+    own->keep_histories();
+}
+
+} // namespace ellipsoid_host
 
 /// The host makes new neighbour lists for a run when another command wants one, or when pages
 /// differ from the host's default: histories go to the atoms before.
@@ -267,14 +301,18 @@ void PairGranEllipsoid::add_forces(int eflag, int vflag, bool for_list) {
     ev_setup(eflag, vflag);
   else
     evflag = vflag_fdotr = 0;
-  if (neighbor->ago == 0)
+  if (neighbor->ago == 0) {
+    if (contacts_->recall_histories())
+      history_keeper_->give_back_again();
     history_keeper_->give_back();
+  }
   forces_->begin_step(for_list);
   const ContactCounts counts = contacts_->compute(*forces_, computeflag_ && shearupdate_);
   forces_->end_step();
   if (!computeflag_)
     return;
   history_keeper_->histories_changed();
+  contacts_->histories_are_kept(false);
   counts_ = counts;
   warn_of_searches();
 }

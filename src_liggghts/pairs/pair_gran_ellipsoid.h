@@ -13,6 +13,7 @@ PairStyle(gran/ellipsoid,PairGranEllipsoid)
 #include "ellipsoid_contact_caller.h"
 #include "host_pair.h"
 #include "more_history.h"
+#include "near_by_size.h"
 
 #include <memory>
 #include <string>
@@ -50,6 +51,18 @@ class PairGranEllipsoid : public ellipsoid_host::HostPairStyle,
   const LIGGGHTS::ContactCounts& counts() const { return counts_; }
   /// Gives the history registered so far `times` slots in all.
   void repeat_history(int times);
+  /// Of a pair that touches.
+  /// @param[in] in_list histories of its first particle in the host's lists, @param[in] place there
+  double* history(double* in_list, int place) const;
+  /// The host's fix is about to keep the histories.
+  void keep_histories();
+  /// See near_by_size.h.
+  ellipsoid_host::NearBySize* near_by_size(int i) {
+    if (i == 0)
+      sizes_differ_ = near_by_size_.begin(*lmp);
+    return sizes_differ_ ? &near_by_size_ : nullptr;
+  }
+  FixContactHistory* contact_history() const { return fix_history; }
   /// Where a value of the history of a contact begins.
   int history_offset(const std::string& name) const;
   /// Whether value k of a pair's history, or of more_history(), is the negative seen from j.
@@ -69,6 +82,8 @@ class PairGranEllipsoid : public ellipsoid_host::HostPairStyle,
   LIGGGHTS::MoreHistory more_history_;
   class FixContactHistoryEllipsoid* history_keeper_ = nullptr;
   LIGGGHTS::ContactCounts counts_;
+  ellipsoid_host::NearBySize near_by_size_;
+  bool sizes_differ_ = false;
   std::string arguments_; // empty: of an older restart file, which does not have them
   bool warned_ = false;
   std::string told_;      // what was last said of batches
@@ -77,6 +92,7 @@ class PairGranEllipsoid : public ellipsoid_host::HostPairStyle,
   void create(int64_t variant);
   void read_settings(int narg, char** arg);
   void check_pages();
+  void shorten_lists();
   void tell_of_batches();
   void warn_of_searches();
   void keep_arguments();

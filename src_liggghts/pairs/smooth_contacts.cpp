@@ -50,8 +50,17 @@ ContactCounts SmoothContacts::compute(PairForces& forces, bool is_time_step) {
   return counts_;
 }
 
+bool SmoothContacts::recall_histories() {
+  if (!are_kept_)
+    return false;
+  pairs_.begin_step(pair_.list, pair_.listgranhistory, pair_.dnum());
+  pairs_.recall_rows(*pair_.contact_history(), atom->tag);
+  return true;
+}
+
 void SmoothContacts::choose_pairs() {
   listed_pairs_ = near_pairs_ = 0.0;
+  normals_.clear();
   pairs_.restart(neighbor->skin, motions_.clocks(),
                  [this](const NeighbourPairs::Candidate* candidates, int count, bool* keep) {
                    choose(candidates, count, keep);
@@ -63,6 +72,7 @@ void SmoothContacts::choose_pairs() {
 __attribute__((noinline)) void SmoothContacts::choose(const NeighbourPairs::Candidate* candidates,
                                                       int count, bool* keep) {
   int asked[NeighbourPairs::candidates_together];
+  Vector3 normals[NeighbourPairs::candidates_together];
   first_gaps_.clear();
   for (int k = 0; k < count; ++k) {
     const NeighbourPairs::Candidate& pair = candidates[k];
@@ -74,15 +84,16 @@ __attribute__((noinline)) void SmoothContacts::choose(const NeighbourPairs::Cand
     asked[first_gaps_.size()] = k;
     first_gaps_.add(shapes_[pair.i], shapes_[pair.j], distance);
   }
-  if (first_gaps_.size() == 0)
-    return;
-  first_gaps_.find();
+  if (first_gaps_.size() > 0)
+    first_gaps_.find();
   for (int k = 0; k < first_gaps_.size(); ++k) {
     const NeighbourPairs::Candidate& pair = candidates[asked[k]];
     keep[asked[k]] = !(first_gaps_.gap(k) > margins(pair.i, pair.j));
-    if (keep[asked[k]])
-      store(-first_gaps_.normal(k), pairs_.history(pair) + normal_x);
+    normals[asked[k]] = first_gaps_.normal(k);
   }
+  for (int k = 0; k < count; ++k)
+    if (keep[k])
+      normals_.push_back(normals[k]);
 }
 
 Vector3 SmoothContacts::centre_distance(int i, int j) const {
@@ -103,10 +114,23 @@ void SmoothContacts::defer(const NearPair& pair, double gap, const Vector3& norm
 }
 
 /// A pair may have touched when the run was set up, which leaves the host's flag and no more.
-void SmoothContacts::close_and_defer(const NearPair& pair, double gap, const Vector3& normal,
+void SmoothContacts::close_and_defer(NearPair& pair, double gap, const Vector3& normal,
                                      PairForces& forces) {
-  close({pair.i, pair.j, pair.flag, pair.history, 1.0, -1, -1}, forces);
+  if (pair.history) {
+    close({pair.i, pair.j, pair.flag, pair.history, 1.0, -1, -1}, forces);
+    pairs_.end_history(pair);
+  }
   defer(pair, gap, normal);
+}
+
+/// Unit, from i to j, or zero.
+Vector3 SmoothContacts::last_normal(const NearPair& pair) const {
+  return pair.history ? -vector(&pair.history[normal_x]) : normals_[pair.index];
+}
+
+void SmoothContacts::remember_normal(const NearPair& pair, const Vector3& normal) {
+  if (is_time_step_)
+    normals_[pair.index] = normal;
 }
 
 /// Pairs that touched in the last step are active, of the others those for which no gap is found.
@@ -114,7 +138,7 @@ void SmoothContacts::check_new_pairs(PairForces& forces) {
   to_check_.clear();
   pairs_.for_each([this, &forces](std::uint32_t index, int i, int j) {
     const NearPair pair = pairs_.pair(index, i, j);
-    if (pair.history[was_touching] != 0.0) {
+    if (pair.history && pair.history[was_touching] != 0.0) {
       pairs_.activate(pair);
       return;
     }
@@ -140,14 +164,14 @@ void SmoothContacts::check_due_pairs(PairForces& forces) {
 /// Most pairs to check are still apart: one Newton step from the normal that separated them tells
 /// how far.
 __attribute__((noinline)) void SmoothContacts::check_gaps(PairForces& forces) {
-  for (const NearPair& pair : to_check_) {
+  for (NearPair& pair : to_check_) {
     const Vector3 distance = centre_distance(pair.i, pair.j);
     const double gap = bounding_gap(pair.i, pair.j, distance);
     if (gap > 0.0) {
       close_and_defer(pair, gap, normalized(distance), forces);
       continue;
     }
-    const Vector3 remembered = -vector(&pair.history[normal_x]);
+    const Vector3 remembered = last_normal(pair);
     const bool has_normal = dot(remembered, remembered) > 0.5; // unit vector, or zero
     in_check_[batch_.size()] = pair;
     batch_.add(shapes_[pair.i], shapes_[pair.j], distance,
@@ -162,7 +186,7 @@ __attribute__((noinline)) void SmoothContacts::check_gaps(PairForces& forces) {
 void SmoothContacts::find_gaps(PairForces& forces) {
   batch_.find_gaps();
   for (int k = 0; k < batch_.size(); ++k) {
-    const NearPair& pair = in_check_[k];
+    NearPair& pair = in_check_[k];
     const double gap = batch_.gap(k), share = this->share(pair.j);
     counts_.values[ContactCounts::tested] += share;
     counts_.values[ContactCounts::newton_steps] += share;
@@ -170,8 +194,7 @@ void SmoothContacts::find_gaps(PairForces& forces) {
       pairs_.activate(pair);
       continue;
     }
-    if (is_time_step_)
-      store(-batch_.normal(k), &pair.history[normal_x]);
+    remember_normal(pair, batch_.normal(k));
     close_and_defer(pair, gap, batch_.normal(k), forces);
   }
   batch_.clear();
@@ -187,7 +210,7 @@ void SmoothContacts::search_active_pairs(PairForces& forces) {
     __builtin_prefetch(particles_.omega[pair.j]);
   };
   pairs_.for_each_active(prefetch, [this, &forces](NearPair& pair) {
-    if (pair.history[was_touching] == 0.0) {
+    if (!pair.history || pair.history[was_touching] == 0.0) {
       const bool stays_active = search_alone(pair, forces);
       pair.touched = true;
       return stays_active;
@@ -230,16 +253,14 @@ __attribute__((noinline)) void SmoothContacts::search_together(PairForces& force
 /// All others start from scratch: what a new contact is does not depend on what happened before it,
 /// nor on whether the run was interrupted.
 /// @return whether the pair touches; its next check is deferred if not
-__attribute__((noinline)) bool SmoothContacts::search_alone(const NearPair& pair,
-                                                            PairForces& forces) {
-  const Contact contact{pair.i, pair.j, pair.flag, pair.history, 1.0, -1, -1};
+__attribute__((noinline)) bool SmoothContacts::search_alone(NearPair& pair, PairForces& forces) {
   const Vector3 distance = centre_distance(pair.i, pair.j);
   const double bounding_gap = this->bounding_gap(pair.i, pair.j, distance);
   if (bounding_gap > 0.0) {
     close_and_defer(pair, bounding_gap, normalized(distance), forces);
     return false;
   }
-  const Vector3 remembered = -vector(&pair.history[normal_x]);
+  const Vector3 remembered = last_normal(pair);
   if (dot(remembered, remembered) > 0.5) { // unit vector, or zero
     const double gap = -overlap_along(shapes_[pair.i], shapes_[pair.j], distance, remembered);
     if (gap > 0.0) {
@@ -247,6 +268,9 @@ __attribute__((noinline)) bool SmoothContacts::search_alone(const NearPair& pair
       return false;
     }
   }
+  if (!pair.history)
+    pairs_.begin_history(pair);
+  const Contact contact{pair.i, pair.j, pair.flag, pair.history, 1.0, -1, -1};
   ellipsoid::SearchOptions options;
   options.goal = ellipsoid::SearchGoal::distance; // the farther apart, the later the next check
   const ellipsoid::ContactGeometry found =
@@ -260,6 +284,8 @@ __attribute__((noinline)) bool SmoothContacts::search_alone(const NearPair& pair
                     counts, forces);
   count(counts);
   if (!touches) {
+    remember_normal(pair, found.normal);
+    pairs_.end_history(pair);
     defer(pair, -found.overlap, found.normal);
     return false;
   }

@@ -2,8 +2,10 @@
 //
 // Contacts of smooth ellipsoids: at most one per pair.
 //
-// The history of a pair starts with what the search remembers: the unit normal from j to i (it
-// flips with the order of the pair, as the host's flag 1 says) and whether the pair touched.
+// The history of a pair that touches starts with what the search remembers: the unit normal from j
+// to i (it flips with the order of the pair, as the host's flag 1 says) and whether the pair
+// touched in a time step. Pairs that are apart have no history, but the last normal that separated
+// them.
 #ifndef SMOOTH_CONTACTS_H_
 #define SMOOTH_CONTACTS_H_
 
@@ -25,6 +27,9 @@ class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
   SmoothContacts(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::PairGranEllipsoid& pair);
   void read_settings(const ModelSettings&) override {}
   ContactCounts compute(PairForces& forces, bool is_time_step) override;
+  const HistoryRows* history_rows() const override { return &pairs_.rows(); }
+  bool recall_histories() override;
+  void histories_are_kept(bool all) override { are_kept_ = all; }
 
  private:
   enum { normal_x, normal_y, normal_z, was_touching }; // offsets in the history
@@ -33,9 +38,11 @@ class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
   ParticleArrays particles_;
   EllipsoidShapes shapes_;
   SurfaceMotions motions_;
-  NeighbourPairs pairs_;
+  NeighbourPairs pairs_{NeighbourPairs::Histories::of_touching};
+  std::vector<ellipsoid::Vector3> normals_; ///< by near pair, from i to j; 0: none
   double listed_pairs_ = 0.0, near_pairs_ = 0.0;
   bool is_time_step_ = false;
+  bool are_kept_ = true;       // histories as they are, by the host's fix
   bool flags_are_set_ = false; // of all pairs that touched in the last step
   ContactCounts counts_;
 
@@ -67,7 +74,7 @@ class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
   void find_gaps(PairForces& forces);
   void search_active_pairs(PairForces& forces);
   void search_together(PairForces& forces);
-  bool search_alone(const NearPair& pair, PairForces& forces);
+  bool search_alone(NearPair& pair, PairForces& forces);
   bool touches(const Contact& pair, const Finding& finding, SearchCounts& counts,
                PairForces& forces) const;
   void close(const Contact& pair, PairForces& forces) const;
@@ -76,8 +83,10 @@ class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
   ellipsoid::Vector3 centre_distance(int i, int j) const;
   double bounding_gap(int i, int j, const ellipsoid::Vector3& distance) const;
   void defer(const NearPair& pair, double gap, const ellipsoid::Vector3& normal);
-  void close_and_defer(const NearPair& pair, double gap, const ellipsoid::Vector3& normal,
+  void close_and_defer(NearPair& pair, double gap, const ellipsoid::Vector3& normal,
                        PairForces& forces);
+  ellipsoid::Vector3 last_normal(const NearPair& pair) const;
+  void remember_normal(const NearPair& pair, const ellipsoid::Vector3& normal);
   /// Farther apart than this, a pair may be left out (length).
   double margins(int i, int j) { return motions_.clocks().margin(i) + motions_.clocks().margin(j); }
   double share(int j) const { return j < particles_.owned ? 1.0 : 0.5; }

@@ -3,6 +3,7 @@
 #define SURFACE_CONTACTS_H_
 
 #include "contact_counts.h"
+#include "history_rows.h"
 
 namespace LIGGGHTS {
 
@@ -19,6 +20,13 @@ class SurfaceContacts {
   /// @param[in] is_time_step false: forces are computed for the same moment again, as when a run is
   ///            set up, which leaves no trace in what is remembered
   virtual ContactCounts compute(PairForces& forces, bool is_time_step) = 0;
+  /// Where histories are whose numbers the host's lists hold; null: the lists hold the histories.
+  virtual const HistoryRows* history_rows() const { return nullptr; }
+  /// When the lists are new: pairs that touched get back what the host's fix has kept.
+  /// @return whether they did
+  virtual bool recall_histories() { return false; }
+  /// @param[in] all the host's fix has what the histories are at present
+  virtual void histories_are_kept(bool all) { static_cast<void>(all); }
 };
 
 } // namespace LIGGGHTS
