@@ -3,6 +3,12 @@
 # To be sourced. All functions work from the root of the repository.
 
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+case $repository in
+  *[[:space:]\'\"\`\$\\\;\&\|\<\>\(\)\*\?\#\!]*)
+    echo "The path of this clone, '$repository', has blanks or signs that the host's build cannot use: move it." >&2
+    exit 1
+    ;;
+esac
 build=$repository/build
 start_seconds=$SECONDS
 setup_log=$build/setup.log # what package managers and compilers say
@@ -187,10 +193,6 @@ install_missing_packages() {
 
 # configure [CMAKE_OPTION...]
 configure() {
-  if [[ $repository =~ [[:space:]] ]]; then
-    echo "The path of this clone, '$repository', has blanks, which the host's build cannot use: move it." >&2
-    return 1
-  fi
   if command -v ninja >/dev/null && [[ ! -f $build/CMakeCache.txt ]]; then
     cmake_options+=(-G Ninja)
   fi

@@ -3,6 +3,7 @@
 #include "frame_loop.h"
 #include "frame_options.h"
 #include "gravity_options.h"
+#include "option_checks.h"
 
 #include <memory>
 
@@ -144,7 +145,13 @@ void add_bed_command(CLI::App& program, int& exit_code) {
   add_frame_options(*command, options->frames);
   add_up_option(*command, options->up);
   add_region_options(*command, *options);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command->callback([command, options, &exit_code] {
+    if (options->profile.empty())
+      refuse_without_effect(*command, {"--slices"}, "without --profile");
+    if (!options->is_below_surface)
+      refuse_without_effect(*command, {"--columns"}, "without --below-surface");
+    exit_code = run(*options);
+  });
 }
 
 } // namespace ellipsoid::post

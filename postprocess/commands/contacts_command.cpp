@@ -7,6 +7,7 @@
 #include "frame_stream.h"
 #include "measure_rows.h"
 #include "messages.h"
+#include "option_checks.h"
 #include "orientation.h"
 #include "table_command.h"
 
@@ -168,7 +169,11 @@ void add_contacts_command(CLI::App& program, int& exit_code) {
        {"--frame", "--semiaxes", "--subspheres", "--spacing", "--size-scale", "--column",
         "--bodies", "--periodic", "--threads", "--contact-gap", "--list"})
     local->excludes(command->get_option(name));
-  command->callback([options, &exit_code] {
+  command->callback([command, options, &exit_code] {
+    if (!options->is_local)
+      refuse_without_effect(*command, {"--normal-columns", "--force-columns"}, "without --local");
+    else if (options->normal_columns.empty())
+      refuse_without_effect(*command, {"--bins"}, "without --normal-columns");
     exit_code = options->is_local ? run_local(*options) : run_geometry(*options);
   });
 }

@@ -8,6 +8,7 @@
 #include "pile_measures.h"
 #include "pile_options.h"
 #include "plane_options.h"
+#include "run_log.h"
 #include "space_wall_options.h"
 #include "table_command.h"
 
@@ -24,9 +25,24 @@ namespace {
 struct CoordinationCommandOptions : PileCommandOptions {
   ContactListOptions contacts;
   SpaceWallOptions space_walls;
-  bool is_space = false;
-  std::string per_particle;
+  bool is_space = false, has_run_walls = false;
+  std::string per_particle, log;
+  std::string of_piles; ///< an option that was given and has no effect in space
 };
+
+/// Walls that are told, and those of the run.
+std::vector<SpaceWall> walls_in_space(const CoordinationCommandOptions& options,
+                                      const ChosenFrame& chosen) {
+  std::vector<SpaceWall> walls = space_walls(options.space_walls);
+  if (!options.has_run_walls)
+    return walls;
+  const std::string log = options.log.empty() ? log_beside(chosen.frame.place.file) : options.log;
+  if (log.empty())
+    throw InputError("--run-walls: there is no log (log.*, *.log) beside the dump: give --log");
+  for (SpaceWall& wall : walls_of_log(log))
+    walls.push_back(std::move(wall));
+  return walls;
+}
 
 /// Whether all centres lie at the same z, as those of an in-plane pile do.
 bool lie_in_plane(const ParticleSet& set) {
@@ -39,6 +55,7 @@ bool lie_in_plane(const ParticleSet& set) {
 
 /// Mean numbers of partners of one type about a particle of another.
 void append_kinds(Row& row, const ParticleSet& set, const ContactNetwork& network) {
+  set.has_types.require_readable();
   std::map<std::int64_t, double> count;
   std::map<std::pair<std::int64_t, std::int64_t>, double> partners;
   for (const Particle& p : set.particles)
@@ -76,7 +93,7 @@ Row space_row(const CoordinationCommandOptions& options, ContactLists& lists,
   const double mean_b = mean_smallest_axis(chosen.set, all_members(chosen.set));
   CoordinationOptions counting;
   counting.count_walls = options.with_walls;
-  counting.walls = space_walls(options.space_walls);
+  counting.walls = walls_in_space(options, chosen);
   counting.gap = options.contact_gap * mean_b;
   counting.rattler_contacts = 4; // in space fewer cannot hold a sphere
   ContactNetwork network;
@@ -104,9 +121,14 @@ Row coordination_row(const CoordinationCommandOptions& options, ContactLists& li
                      const ChosenFrame& chosen) {
   if (chosen.set.particles.empty())
     throw InputError("there are no particles");
-  if (options.is_space || !lie_in_plane(chosen.set))
+  if (options.is_space || !lie_in_plane(chosen.set)) {
+    if (!options.of_piles.empty())
+      throw InputError(options.of_piles + " is of piles in the plane; this is a packing in space: "
+                                          "leave it out");
     return space_row(options, lists, chosen);
-  if (!options.per_particle.empty() || !space_walls(options.space_walls).empty())
+  }
+  if (!options.per_particle.empty() || options.has_run_walls ||
+      !space_walls(options.space_walls).empty())
     throw InputError("all centres lie in one plane: give --space for walls in space and values "
                      "per particle");
   const PileOptions settings = plane_settings(options.plane);
@@ -156,10 +178,19 @@ void add_coordination_command(CLI::App& program, int& exit_code) {
                    "of the contact list: the overlap")
       ->needs(contacts);
   add_space_wall_options(*command, options->space_walls);
+  auto* run_walls =
+      command->add_flag("--run-walls", options->has_run_walls,
+                        "walls of the run's log: planes, cylinders, and STL meshes that rest");
+  command->add_option("--log", options->log, "the run's log (default: that beside the dump)")
+      ->check(CLI::ExistingFile)
+      ->needs(run_walls);
   command->add_flag("--space", options->is_space,
                     "a packing in space, also where all centres lie in one plane");
   add_particle_values_option(*command, options->per_particle);
-  command->callback([options, &exit_code] {
+  command->callback([command, options, &exit_code] {
+    for (const std::string& name : plane_options)
+      if (command->get_option(name)->count() > 0)
+        options->of_piles = name;
     ContactLists lists(options->contacts);
     if (!options->contacts.files.empty())
       options->frames.threads = 1; // the lists are read in the order of the frames

@@ -7,6 +7,7 @@
 #include "messages.h"
 #include "table_command.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -38,6 +39,15 @@ Row energy_row(const EnergyCommandOptions& options, const ChosenFrame& chosen) {
     report_warning(chosen.run +
                        ": no energy of rotation: the file has no columns omegax omegay omegaz",
                    "spins of " + chosen.run);
+  const auto& particles = chosen.set.particles;
+  if (e.rotation && !settings.inertia && !chosen.set.has_moments &&
+      std::any_of(particles.begin(), particles.end(),
+                  [](const Particle& p) { return p.is_host_body && p.sphere_count > 1; }))
+    report_warning(chosen.run +
+                       ": moments of inertia of the host's bodies are not in the file: taken are "
+                       "those of the solid ellipsoid around a chain, of the union of the spheres "
+                       "else; give others by --inertia",
+                   "moments of " + chosen.run);
   Row row = frame_row(chosen);
   row.push_back(
       {"particles", "particles", "", static_cast<std::int64_t>(chosen.set.particles.size())});
@@ -57,7 +67,8 @@ void add_energy_command(CLI::App& program, int& exit_code) {
   CLI::App* command = program.add_subcommand("energy", "energies over time and rest check");
   command->footer(
       "Translation: sum of m v^2 / 2. Rotation: sum of w.(I w) / 2 with w in the body's axes and "
-      "I1 = m (b^2 + c^2) / 5 and so on (the solid ellipsoid), or --inertia for all particles. "
+      "I1 = m (b^2 + c^2) / 5 and so on (the solid ellipsoid), or of the columns inertiax inertiay "
+      "inertiaz, or --inertia for all particles. "
       "Potential: -sum of m g.x. At rest: every point slower than 0.01 sqrt(g b).");
   add_frame_options(*command, options->frames);
   add_gravity_option(*command, options->gravity);

@@ -1,10 +1,12 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "body_properties.h"
+#include "field_blocks.h"
 #include "field_places.h"
 #include "field_rows.h"
 #include "force_list_options.h"
 #include "frame_loop.h"
 #include "frame_options.h"
+#include "option_checks.h"
 #include "step_names.h"
 #include "time_option.h"
 
@@ -26,7 +28,7 @@ struct FieldsOptions {
   ForceListOptions forces;
   std::string kernel = "gaussian", vti;
   double width = 0.0, density = 0.0, time_step = 0.0;
-  bool is_average = false;
+  bool is_average = false, has_errors = false;
 };
 
 /// A width for the first frame: the mean radius of the balls of the particles' volumes.
@@ -49,7 +51,7 @@ double longest_way(const ParticleSet& set) {
 class FieldFrames {
  public:
   explicit FieldFrames(const FieldsOptions& options)
-      : m_options(options), m_lists(options.forces) {}
+      : m_options(options), m_lists(options.forces), m_blocks(options.has_errors) {}
 
   void take(const ChosenFrame& chosen) {
     if (chosen.set.particles.empty())
@@ -69,25 +71,25 @@ class FieldFrames {
     if (!m_options.is_average) {
       Row row = frame_row(chosen);
       append_time(row, chosen.frame, m_options.time_step);
-      write_frame(row, sums, 1.0, chosen.frame.timestep);
+      write_frame(row, sums, chosen.frame.timestep);
       return;
     }
-    if (m_frames++ == 0)
+    if (m_blocks.frames() == 0)
       m_row = frame_row(chosen);
     m_last_step = chosen.frame.timestep;
-    m_sums.resize(sums.size(), FieldSums{});
-    for (std::size_t n = 0; n < sums.size(); ++n)
-      for (std::size_t k = 0; k < field_size; ++k)
-        m_sums[n][k] += sums[n][k];
+    m_blocks.add(sums);
   }
 
   /// To be called after the last frame.
   void finish() {
-    if (m_frames == 0)
+    if (m_blocks.frames() == 0)
       return;
     m_row.push_back({"last_timestep", "last time step", "", m_last_step});
-    m_row.push_back({"frames", "frames", "", static_cast<std::int64_t>(m_frames)});
-    write_frame(m_row, m_sums, 1.0 / static_cast<double>(m_frames), m_last_step);
+    m_row.push_back({"frames", "frames", "", static_cast<std::int64_t>(m_blocks.frames())});
+    std::vector<FieldSums> means;
+    for (std::size_t n = 0; n < m_blocks.places(); ++n)
+      means.push_back(m_blocks.mean(n));
+    write_frame(m_row, means, m_last_step);
   }
 
   const Table& all() const { return m_all; }
@@ -109,14 +111,10 @@ class FieldFrames {
             !lists.contact_columns.normals.empty() || !lists.wall_columns.normals.empty()};
   }
 
-  void write_frame(const Row& begin, const std::vector<FieldSums>& sums, double factor,
-                   std::int64_t timestep) {
+  void write_frame(const Row& begin, const std::vector<FieldSums>& sums, std::int64_t timestep) {
     std::vector<Fields> fields;
     for (std::size_t n = 0; n < sums.size(); ++n) {
-      FieldSums mean = sums[n];
-      for (double& value : mean)
-        value *= factor;
-      fields.push_back(fields_of(mean));
+      fields.push_back(fields_of(sums[n]));
       Row row = begin;
       row.push_back({"width_m", "width", "m", m_function->width()});
       const Row& place = m_places->row(n);
@@ -124,6 +122,8 @@ class FieldFrames {
       Row few = place;
       append_main_fields(few, fields.back(), known(), m_places->component_names());
       append_fields(row, fields.back(), known(), m_places->component_names());
+      if (m_options.has_errors)
+        append_field_errors(row, known(), m_places->component_names(), errors_at(n));
       m_all.rows.push_back(std::move(row));
       m_main.rows.push_back(std::move(few));
     }
@@ -134,15 +134,20 @@ class FieldFrames {
     write_text(name_with_step(m_options.vti, timestep), vti_text(image));
   }
 
+  /// Of all numbers of the fields at a place; empty for less than two frames.
+  std::vector<double> errors_at(std::size_t place) const {
+    return m_blocks.standard_errors(
+        place, [this](const FieldSums& sums) { return field_numbers(fields_of(sums), known()); });
+  }
+
   const FieldsOptions& m_options;
   ForceLists m_lists;
   std::optional<CoarseGrainingFunction> m_function;
   std::optional<FieldPlaces> m_places;
   bool m_has_motion = true, m_has_spins = true;
-  std::size_t m_frames = 0; ///< in the sums
   std::int64_t m_last_step = 0;
   Row m_row; ///< of the first frame
-  std::vector<FieldSums> m_sums;
+  FieldBlocks m_blocks;
   Table m_all{"Fields", {}}, m_main;
 };
 
@@ -171,7 +176,8 @@ void add_fields_command(CLI::App& program, int& exit_code) {
       "m phi(r - r_i), and so on (Goldhirsch 2010). Contact stress: f b times the mean of phi over "
       "the way b from the contact to the centre, on either side; at walls the rest is the "
       "boundary force (Weinhart et al. 2012). Stresses are positive in compression. Means over "
-      "frames (--average) are means of the sums; fluctuations are taken about the mean velocity.");
+      "frames (--average) are means of the sums; fluctuations are taken about the mean velocity. "
+      "Standard errors: jackknife over 20 to 40 blocks of frames (fewer frames: one each).");
   add_frame_options(*command, options->frames);
   add_time_option(*command, options->time_step);
   add_field_place_options(*command, options->places);
@@ -184,11 +190,28 @@ void add_fields_command(CLI::App& program, int& exit_code) {
       ->check(CLI::PositiveNumber);
   command->add_option("--density", options->density, "of the material, for files without masses")
       ->check(CLI::PositiveNumber);
-  command->add_flag("--average", options->is_average, "one result: the mean over all frames");
+  auto* average =
+      command->add_flag("--average", options->is_average, "one result: the mean over all frames");
+  command
+      ->add_flag("--standard-errors", options->has_errors,
+                 "with the standard errors of the means, from blocks of frames")
+      ->needs(average);
   add_force_list_options(*command, options->forces);
   command->add_option("--vti", options->vti,
                       "file for ParaView with the fields on the grid; * stands for the time step");
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command->callback([command, options, &exit_code] {
+    if (options->places.profile.empty())
+      refuse_without_effect(*command, {"--slices"}, "without --profile");
+    if (options->places.profile != "radius")
+      refuse_without_effect(*command, {"--cylinder", "--axis"}, "without --profile radius");
+    if (!options->places.at.empty())
+      refuse_without_effect(*command, {"--box"}, "with --at");
+    if (options->places.profile == "radius")
+      refuse_without_effect(*command, {"--box"}, "with --profile radius");
+    if (options->is_average)
+      refuse_without_effect(*command, {"--dt"}, "with --average");
+    exit_code = run(*options);
+  });
 }
 
 } // namespace ellipsoid::post

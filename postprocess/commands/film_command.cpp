@@ -1,5 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "input_error.h"
+#include "option_checks.h"
 #include "picture_options.h"
 #include "render_pile.h"
 #include "render_space.h"
@@ -157,6 +158,7 @@ void add_film_command(CLI::App& program, int& exit_code) {
       "together take, or as given. Frames without particles are left out with a remark.");
   add_frame_options(*command, options->plane.frames);
   add_plane_options(*command, options->plane.plane);
+  add_fit_options(*command, options->plane.plane);
   command
       ->add_option("--output,-o", options->output,
                    "the film, for example film.mp4; or numbered pictures, 'film_*.png'")
@@ -171,7 +173,19 @@ void add_film_command(CLI::App& program, int& exit_code) {
       ->expected(2);
   command->add_option("--title", options->plane.picture.title, "words above each picture");
   command->add_flag("--no-fit", options->plane.no_fit, "without the line A-B");
-  command->callback([options, &exit_code] { exit_code = make_film(*options); });
+  command->callback([command, options, &exit_code] {
+    if (options->plane.picture.colour_by.empty())
+      refuse_without_effect(*command, {"--colour-range"}, "without --colour");
+    if (is_pictures(options->output))
+      refuse_without_effect(*command, {"--rate"}, "on numbered pictures");
+    if (options->is_in_space || options->plane.no_fit)
+      refuse_without_effect(*command, fit_options, "with --space or --no-fit");
+    if (options->is_in_space)
+      refuse_without_effect(*command, plane_options, "with --space");
+    if (options->is_in_space)
+      refuse_without_effect(*command, {"--no-fit"}, "with --space");
+    exit_code = make_film(*options);
+  });
 }
 
 } // namespace ellipsoid::post

@@ -1,11 +1,17 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "flow_profile.h"
 #include "flow_through.h"
 #include "frame_loop.h"
 #include "frame_options.h"
+#include "messages.h"
+#include "option_checks.h"
+#include "residence_times.h"
 #include "spread.h"
 #include "stl_mesh.h"
 #include "time_option.h"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace ellipsoid::post {
@@ -13,11 +19,23 @@ namespace {
 
 struct FlowOptions {
   FrameOptions frames;
-  std::vector<double> plane, disc;
-  std::string face;
+  std::vector<double> plane, disc, inlet, strips;
+  std::string face, passages;
   double scale = 1.0, density = 0.0, time_step = 0.0;
+  int profile = 0; ///< rings or strips; 0: none
   bool is_total = false;
 };
+
+/// A plane by a point and its normal.
+FlowGate plane_gate(const std::vector<double>& p, const char* option) {
+  FlowGate gate;
+  gate.point = {p[0], p[1], p[2]};
+  gate.normal = {p[3], p[4], p[5]};
+  if (!(norm(gate.normal) > 0.0))
+    throw InputError(std::string(option) + ": the normal has length 0");
+  gate.normal = normalized(gate.normal);
+  return gate;
+}
 
 FlowGate gate_of(const FlowOptions& options) {
   FlowGate gate;
@@ -28,18 +46,58 @@ FlowGate gate_of(const FlowOptions& options) {
         corner *= options.scale;
     return gate;
   }
-  const std::vector<double>& p = options.plane.empty() ? options.disc : options.plane;
-  gate.point = {p[0], p[1], p[2]};
-  gate.normal = {p[3], p[4], p[5]};
-  if (!(norm(gate.normal) > 0.0))
-    throw InputError("the normal of the plane or disc has length 0");
-  gate.normal = normalized(gate.normal);
   if (options.disc.empty())
-    return gate;
+    return plane_gate(options.plane, "--through");
+  gate = plane_gate(options.disc, "--disc");
   gate.radius = options.disc[6];
   if (!(*gate.radius > 0.0))
     throw InputError("--disc needs a radius > 0");
   return gate;
+}
+
+/// Where passages are sorted, if that is asked for.
+std::optional<FlowProfile> profile_of(const FlowOptions& options) {
+  if (options.profile == 0)
+    return {};
+  const auto count = static_cast<std::size_t>(options.profile);
+  if (options.strips.empty() && options.disc.empty())
+    throw InputError("--profile sorts by radius with --disc; else say the direction: --strips");
+  if (options.strips.empty()) {
+    const std::vector<double>& d = options.disc;
+    return FlowProfile::rings({d[0], d[1], d[2]}, d[6], count);
+  }
+  const std::vector<double>& s = options.strips;
+  const Vector3 along{s[0], s[1], s[2]};
+  if (!(norm(along) > 0.0) || !(s[3] < s[4]))
+    throw InputError("--strips needs a direction that is not 0, and two places in ascending order");
+  return FlowProfile::strips(normalized(along), s[3], s[4], count);
+}
+
+void append_bin(Row& row, const FlowBin& bin, double duration) {
+  const auto mean = [&bin](double value) { return bin.mass > 0.0 ? Value(value) : Value(); };
+  const double variance = std::max(0.0, bin.speed_square - bin.speed * bin.speed);
+  row.push_back({"begin_m", "from", "m", bin.begin});
+  row.push_back({"end_m", "to", "m", bin.end});
+  row.push_back({"forward", "particles forward", "", static_cast<std::int64_t>(bin.forward)});
+  row.push_back({"backward", "particles backward", "", static_cast<std::int64_t>(bin.backward)});
+  row.push_back({"mass_rate_kg_per_s", "net mass rate", "kg/s", bin.net_mass / duration});
+  row.push_back({"mass_flux_kg_per_m2_s", "net mass flux", "kg/m2/s",
+                 bin.area ? Value(bin.net_mass / duration / *bin.area) : Value()});
+  row.push_back({"normal_speed_m_per_s", "speed along the normal", "m/s", mean(bin.speed)});
+  row.push_back({"normal_speed_standard_deviation_m_per_s", "its standard deviation", "m/s",
+                 mean(std::sqrt(variance))});
+  row.push_back({"speed_across_m_per_s", "speed across the normal", "m/s", mean(bin.across)});
+}
+
+void append_residence(Row& row, const std::vector<double>& times) {
+  const Spread s = spread_of(times);
+  const auto known = [&s](double value) { return s.count > 0 ? Value(value) : Value(); };
+  row.push_back({"residence_count", "residence times", "", static_cast<std::int64_t>(s.count)});
+  row.push_back({"residence_mean_s", "residence time, mean", "s", known(s.mean)});
+  row.push_back({"residence_standard_deviation_s", "residence time, standard deviation", "s",
+                 known(s.standard_deviation)});
+  row.push_back({"residence_shortest_s", "residence time, shortest", "s", known(s.lowest)});
+  row.push_back({"residence_longest_s", "residence time, longest", "s", known(s.highest)});
 }
 
 void append_counts(Row& row, const FlowStep& step) {
@@ -58,53 +116,130 @@ void append_counts(Row& row, const FlowStep& step) {
 class FlowRun {
  public:
   FlowRun(const FlowOptions& options, std::string name)
-      : m_options(options), m_name(std::move(name)), m_flow(gate_of(options)) {
+      : m_options(options), m_name(std::move(name)), m_flow(gate_of(options)),
+        m_profile(profile_of(options)) {
+    if (!options.inlet.empty())
+      m_inlet.emplace(plane_gate(options.inlet, "--inlet"));
     m_sum.volume_share_mass = 0.0;
   }
   const std::string& name() const { return m_name; }
 
-  void take(const ChosenFrame& chosen, Table& table) {
+  void take(const ChosenFrame& chosen, Table& steps, Table& passages) {
     const std::optional<double> density =
         m_options.density > 0.0 ? std::optional<double>(m_options.density) : std::nullopt;
-    const auto step = m_flow.take(chosen.set, PeriodicCell(chosen.set.box), density);
+    const PeriodicCell cell(chosen.set.box);
+    const auto step = m_flow.take(chosen.set, cell, density);
+    const auto entered = m_inlet ? m_inlet->take(chosen.set, cell, density) : std::nullopt;
     const std::optional<double> before = m_time;
     m_time = time_of(chosen.frame, m_options.time_step);
     m_timestep = chosen.frame.timestep;
+    if (!m_time && (m_inlet || m_profile || !m_options.passages.empty()))
+      throw InputError("the file does not state the time: give --dt");
     if (!step) {
       m_first_time = m_time;
       return;
     }
     add(*step);
-    Value rate;
-    if (before && m_time && *m_time > *before) {
+    const bool has_times = before && m_time && *m_time > *before;
+    const std::vector<double> residence =
+        has_times ? follow(*step, entered, *before, passages) : std::vector<double>();
+    if (has_times)
       m_rates.push_back((step->mass_forward - step->mass_backward) / (*m_time - *before));
-      rate = m_rates.back();
-    }
-    if (m_options.is_total)
+    if (m_options.is_total || m_profile)
       return;
     Row row = frame_row(chosen);
     append_time(row, chosen.frame, m_options.time_step);
     append_counts(row, *step);
     row.push_back({"mass_so_far_kg", "net mass so far", "kg", net_mass()});
-    row.push_back({"rate_kg_per_s", "rate", "kg/s", rate});
-    table.rows.push_back(std::move(row));
+    row.push_back({"rate_kg_per_s", "rate", "kg/s", has_times ? Value(m_rates.back()) : Value()});
+    if (m_time)
+      append_residence(row, residence);
+    steps.rows.push_back(std::move(row));
   }
 
-  /// The whole run.
+  /// After the last frame: the rows of the whole run.
+  void finish(Table& table) const {
+    if (m_profile)
+      append_profile(table);
+    else if (m_options.is_total)
+      table.rows.push_back(total_row());
+  }
+
+ private:
+  double net_mass() const { return m_sum.mass_forward - m_sum.mass_backward; }
+  bool has_duration() const { return m_first_time && m_time && *m_time > *m_first_time; }
+
+  void append_profile(Table& table) const {
+    if (!has_duration())
+      return;
+    for (const FlowBin& bin : m_profile->bins()) {
+      Row row{{"run", "run", "", m_name}};
+      append_bin(row, bin, *m_time - *m_first_time);
+      table.rows.push_back(std::move(row));
+    }
+    if (m_profile->beyond() > 0)
+      report_warning(m_name + ": " + std::to_string(m_profile->beyond()) +
+                     " particles passed beyond the strips");
+  }
+
   Row total_row() const {
     Row row{{"run", "run", "", m_name}, {"timestep", "last time step", "", m_timestep}};
     append_counts(row, m_sum);
-    if (!m_first_time || !m_time || !(*m_time > *m_first_time))
+    if (!has_duration())
       return row;
     row.push_back({"duration_s", "duration", "s", *m_time - *m_first_time});
     row.push_back({"rate_kg_per_s", "mean rate", "kg/s", net_mass() / (*m_time - *m_first_time)});
     row.push_back({"rate_standard_deviation_kg_per_s", "standard deviation between frames", "kg/s",
                    spread_of(m_rates).standard_deviation});
+    append_residence(row, m_residence.times());
+    row.push_back({"residence_unknown", "left, not seen to enter", "",
+                   static_cast<std::int64_t>(m_residence.unknown())});
     return row;
   }
 
- private:
-  double net_mass() const { return m_sum.mass_forward - m_sum.mass_backward; }
+  /// Who entered and who left, between two times. @return residence times of those who left
+  std::vector<double> follow(const FlowStep& step, const std::optional<FlowStep>& entered,
+                             double before, Table& passages) {
+    const double duration = *m_time - before;
+    if (!m_inlet)
+      for (const std::int64_t id : step.fresh)
+        m_residence.enter(id, *m_time);
+    if (entered)
+      for (const Passage& passage : entered->passages)
+        if (passage.is_forward)
+          m_residence.enter(passage.id, before + passage.share * duration);
+    if (m_profile)
+      m_profile->add(step.passages, duration);
+    std::vector<double> times;
+    for (const Passage& passage : step.passages) {
+      const double time = before + passage.share * duration;
+      std::optional<double> residence;
+      if (passage.is_forward)
+        residence = m_residence.leave(passage.id, time);
+      if (residence)
+        times.push_back(*residence);
+      if (!m_options.passages.empty())
+        passages.rows.push_back(passage_row(passage, time, duration, residence));
+    }
+    return times;
+  }
+
+  Row passage_row(const Passage& passage, double time, double duration,
+                  const std::optional<double>& residence) const {
+    const Vector3 velocity = (1.0 / duration) * passage.way;
+    return {{"run", "run", "", m_name},
+            {"id", "id", "", passage.id},
+            {"time_s", "time", "s", time},
+            {"direction", "direction", "", std::int64_t(passage.is_forward ? 1 : -1)},
+            {"mass_kg", "mass", "kg", passage.mass},
+            {"x_m", "x", "m", passage.place.x},
+            {"y_m", "y", "m", passage.place.y},
+            {"z_m", "z", "m", passage.place.z},
+            {"velocity_x_m_per_s", "velocity x", "m/s", velocity.x},
+            {"velocity_y_m_per_s", "velocity y", "m/s", velocity.y},
+            {"velocity_z_m_per_s", "velocity z", "m/s", velocity.z},
+            {"residence_s", "residence time", "s", residence ? Value(*residence) : Value()}};
+  }
 
   void add(const FlowStep& step) {
     m_sum.forward += step.forward;
@@ -122,6 +257,9 @@ class FlowRun {
   const FlowOptions& m_options;
   std::string m_name;
   FlowThrough m_flow;
+  std::optional<FlowThrough> m_inlet;
+  std::optional<FlowProfile> m_profile;
+  ResidenceTimes m_residence;
   std::optional<double> m_time, m_first_time; ///< of the last and first frame (s)
   std::int64_t m_timestep = 0;
   FlowStep m_sum;
@@ -129,22 +267,60 @@ class FlowRun {
 };
 
 int run(const FlowOptions& options) {
-  Table table{"Flow", {}};
+  Table table{"Flow", {}}, passages{"Passages", {}};
   std::unique_ptr<FlowRun> flow;
   const auto end_run = [&] {
-    if (flow && options.is_total)
-      table.rows.push_back(flow->total_row());
+    if (flow)
+      flow->finish(table);
   };
   const int code = for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
     if (!flow || flow->name() != chosen.run) {
       end_run();
       flow = std::make_unique<FlowRun>(options, chosen.run);
     }
-    flow->take(chosen, table);
+    flow->take(chosen, table, passages);
   });
   end_run();
   write_table(options.frames, table);
+  if (!options.passages.empty())
+    write_text(options.passages, as_csv(passages));
   return code;
+}
+
+void add_gate_options(CLI::App& command, FlowOptions& options) {
+  CLI::Option_group* gate = command.add_option_group("gate");
+  gate->add_option("--through", options.plane, "plane: x y z of a point, and its normal nx ny nz")
+      ->expected(6);
+  gate->add_option("--disc", options.disc, "x y z of the middle, normal nx ny nz, radius")
+      ->expected(7);
+  auto* face = gate->add_option("--face", options.face,
+                                "STL file; forward is the way of its triangles' normals");
+  gate->require_option(1);
+  command.add_option("--scale", options.scale, "factor on the lengths of the STL file")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->needs(face);
+}
+
+/// What is made of single passages.
+void add_passage_options(CLI::App& command, FlowOptions& options, CLI::Option* total) {
+  command
+      .add_option("--inlet", options.inlet,
+                  "plane where residence times begin: x y z of a point, and its normal nx ny nz, "
+                  "the way in (default: where a particle is first seen)")
+      ->expected(6);
+  auto* profile = command.add_option(
+      "--profile", options.profile,
+      "rows are rings of the disc, or strips, of equal width: rates, and speeds of what passes");
+  profile->check(CLI::Range(1, 10000))->excludes(total);
+  command
+      .add_option("--strips", options.strips,
+                  "of the profile: direction ux uy uz, and where the strips begin and end along it")
+      ->expected(5)
+      ->needs(profile);
+  command.add_option("--passages", options.passages,
+                     "file (.csv) with a row for every passage: time, place, velocity, residence "
+                     "time");
 }
 
 } // namespace
@@ -158,26 +334,21 @@ void add_flow_command(CLI::App& program, int& exit_code) {
       "A particle passes when its centre does, along a straight line from frame to frame (the "
       "shortest one in periodic boxes). By volume share: mass times the change of the share of its "
       "volume beyond the plane, so that a body passes little by little. Forward: the way of the "
-      "normal. Rows: steps between frames; --total: the whole run, with the mean rate and its "
-      "standard deviation between frames.");
+      "normal. Residence time: from the inlet, or from the first frame that has the particle (but "
+      "the run's first one), to its passage forward. Rows: steps between frames; --total: the "
+      "whole run, with the mean rate and its standard deviation between frames.");
   add_frame_options(*command, options->frames);
   add_time_option(*command, options->time_step);
-  CLI::Option_group* gate = command->add_option_group("gate");
-  gate->add_option("--through", options->plane, "plane: x y z of a point, and its normal nx ny nz")
-      ->expected(6);
-  gate->add_option("--disc", options->disc, "x y z of the middle, normal nx ny nz, radius")
-      ->expected(7);
-  auto* face = gate->add_option("--face", options->face,
-                                "STL file; forward is the way of its triangles' normals");
-  gate->require_option(1);
-  command->add_option("--scale", options->scale, "factor on the lengths of the STL file")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str()
-      ->needs(face);
+  add_gate_options(*command, *options);
   command->add_option("--density", options->density, "of the material, for files without masses")
       ->check(CLI::PositiveNumber);
-  command->add_flag("--total", options->is_total, "one row for the whole run");
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  auto* total = command->add_flag("--total", options->is_total, "one row for the whole run");
+  add_passage_options(*command, *options, total);
+  command->callback([command, options, &exit_code] {
+    if (options->profile > 0 && options->passages.empty())
+      refuse_without_effect(*command, {"--inlet"}, "with --profile and without --passages");
+    exit_code = run(*options);
+  });
 }
 
 } // namespace ellipsoid::post

@@ -5,6 +5,7 @@
 #include "time_option.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <set>
 
@@ -15,9 +16,9 @@ struct MixingCommandOptions {
   FrameOptions frames;
   MixingOptions mixing;
   int type = 0; ///< 0: not given
-  bool by_size = false, by_aspect = false;
+  bool by_size = false, by_aspect = false, by_volume = false;
   std::string column;
-  std::vector<double> region, cell_sizes;
+  std::vector<double> region, cell_sizes, scan;
   double time_step = 0.0;
 };
 
@@ -37,6 +38,8 @@ class Tracer {
   }
 
   std::vector<double> values(const ChosenFrame& chosen) {
+    if (m_options.type > 0)
+      chosen.set.has_types.require_readable();
     if (!m_options.region.empty() && chosen.run != m_run)
       mark(chosen);
     std::vector<double> result;
@@ -82,6 +85,22 @@ double usual_cell(const ParticleSet& set) {
   return 3.0 * sum / static_cast<double>(std::max<std::size_t>(1, set.particles.size()));
 }
 
+/// As given, or scanned in equal ratios, or the usual one.
+std::vector<double> sizes_of_cells(const MixingCommandOptions& options, const ParticleSet& set) {
+  if (!options.cell_sizes.empty())
+    return options.cell_sizes;
+  if (options.scan.empty())
+    return {usual_cell(set)};
+  const double low = options.scan[0], high = options.scan[1], count = options.scan[2];
+  if (!(low > 0.0 && low < high && count >= 2.0 && count <= 1000.0 && count == std::floor(count)))
+    throw InputError("--scan needs two sizes in ascending order, > 0, and a whole number of steps "
+                     "from 2 to 1000");
+  std::vector<double> sizes;
+  for (double k = 0.0; k < count; ++k)
+    sizes.push_back(low * std::pow(high / low, k / (count - 1.0)));
+  return sizes;
+}
+
 void append_mixing(Row& row, const Mixing& m) {
   const auto add = [&row](const std::string& key, const std::string& name, double value) {
     row.push_back({key, name, "", value});
@@ -92,8 +111,11 @@ void append_mixing(Row& row, const Mixing& m) {
   add("lacey_index", "Lacey's index", m.lacey);
   add("lacey_index_standard_error", "its standard error", m.lacey_error);
   add("segregation_intensity", "intensity of segregation", m.intensity);
+  add("segregation_intensity_standard_error", "its standard error, intensity", m.intensity_error);
   add("segregation_intensity_random", "of a random mixture", m.intensity_random);
   add("relative_standard_deviation", "relative standard deviation", m.relative_deviation);
+  add("relative_standard_deviation_standard_error", "its standard error, RSD",
+      m.relative_deviation_error);
   add("relative_standard_deviation_random", "of a random mixture, RSD",
       m.relative_deviation_random);
   add("relative_standard_deviation_segregated", "of a segregated one, RSD",
@@ -116,15 +138,20 @@ std::vector<Row> mixing_rows(const MixingCommandOptions& options, Tracer& tracer
                              const ChosenFrame& chosen) {
   const std::vector<double> values = tracer.values(chosen);
   const PeriodicCell cell(chosen.set.box);
-  const std::vector<double> sizes =
-      options.cell_sizes.empty() ? std::vector<double>{usual_cell(chosen.set)} : options.cell_sizes;
+  std::vector<double> volumes;
+  for (const Particle& p : chosen.set.particles)
+    if (options.by_volume)
+      volumes.push_back(body_volume(chosen.set, p));
   std::vector<Row> rows;
-  for (const double size : sizes) {
+  for (const double size : sizes_of_cells(options, chosen.set)) {
     MixingOptions settings = options.mixing;
+    settings.weights = volumes;
     settings.cell_size = size;
     Row row = frame_row(chosen);
     append_time(row, chosen.frame, options.time_step);
     row.push_back({"tracer", "what is mixed", "", tracer.name()});
+    row.push_back({"counted_by", "particles count by", "",
+                   std::string(options.by_volume ? "volume" : "number")});
     row.push_back({"cell_m", "size of the cells", "m", size});
     append_mixing(row, mixing(chosen.set, values, cell, settings));
     rows.push_back(std::move(row));
@@ -155,16 +182,24 @@ void add_mixing_command(CLI::App& program, int& exit_code) {
       ->check(CLI::Range(1, 1000000));
   tracer->add_flag("--size", options->by_size, "radius of the ball of a particle's volume");
   tracer->add_flag("--aspect", options->by_aspect, "longest over shortest semi-axis");
-  tracer->add_option("--column", options->column, "a column of the dump");
+  tracer->add_option("--value", options->column, "a column of the dump");
   tracer
       ->add_option("--region", options->region,
                    "x0 x1 y0 y1 z0 z1: particles that were there in the first frame")
       ->expected(6);
   tracer->require_option(1);
+  auto* cell = command->add_option(
+      "--cell", options->cell_sizes,
+      "size of the cubic cells (m), several: one row each (default: 3 mean diameters)");
+  cell->check(CLI::PositiveNumber);
   command
-      ->add_option("--cell", options->cell_sizes,
-                   "size of the cubic cells (m), several: one row each (default: 3 mean diameters)")
-      ->check(CLI::PositiveNumber);
+      ->add_option("--scan", options->scan,
+                   "smallest and largest size of the cells (m) and the number of sizes, in equal "
+                   "ratios: one row each")
+      ->expected(3)
+      ->excludes(cell);
+  command->add_flag("--by-volume", options->by_volume,
+                    "particles count by their volumes, not all alike");
   command->add_option("--neighbours", options->mixing.neighbours, "nearest ones of each particle")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();

@@ -49,6 +49,7 @@ Group group_of(const ParticleSet& set, const std::string& name, std::optional<st
 }
 
 std::vector<Group> groups_of(const ParticleSet& set) {
+  set.has_types.require_readable();
   std::set<std::int64_t> types;
   for (const Particle& p : set.particles)
     types.insert(p.type);

@@ -3,6 +3,7 @@
 #include "frame_options.h"
 #include "messages.h"
 #include "template_files.h"
+#include "time_option.h"
 
 #include <fmt/format.h>
 #include <memory>
@@ -49,7 +50,7 @@ SurfaceMesh surfaces_of(const Frame& frame, const ParticleSet& set) {
 struct ParaviewOptions {
   FrameOptions frames;
   std::string output;
-  double time_step = 0.0; ///< 0: the number of the step stands for the time
+  double time_step = 0.0; ///< of files without times; 0: the step's number stands for it
 };
 
 int write_series(const ParaviewOptions& options) {
@@ -57,9 +58,9 @@ int write_series(const ParaviewOptions& options) {
   const int code = for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
     const std::string name = fmt::format("{}_{}.vtp", options.output, chosen.frame.timestep);
     write_text(name, vtp_text(surfaces_of(chosen.frame, chosen.set)));
-    const double step = static_cast<double>(chosen.frame.timestep);
-    entries += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n",
-                           options.time_step > 0.0 ? step * options.time_step : step,
+    const double time = time_of(chosen.frame, options.time_step)
+                            .value_or(static_cast<double>(chosen.frame.timestep));
+    entries += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", time,
                            name.substr(name.find_last_of('/') + 1));
   });
   if (entries.empty())
@@ -82,8 +83,7 @@ void add_paraview_command(CLI::App& program, int& exit_code) {
   command->footer("All columns of the dump become cell values, for colours and filters.");
   add_frame_options(*command, options->frames);
   command->add_option("--output,-o", options->output, "beginning of the file names")->required();
-  command->add_option("--dt", options->time_step, "time step (s): times instead of step numbers")
-      ->check(CLI::PositiveNumber);
+  add_time_option(*command, options->time_step);
   command->callback([options, &exit_code] { exit_code = write_series(*options); });
 }
 

@@ -34,6 +34,7 @@ void add_pile_command(CLI::App& program, int& exit_code) {
                   porosity_definition + "\n" + coordination_definition);
   add_frame_options(*command, options->frames);
   add_plane_options(*command, options->plane);
+  add_fit_options(*command, options->plane);
   add_porosity_options(*command, *options);
   add_coordination_options(*command, *options);
   add_gravity_option(*command, options->gravity);
@@ -41,7 +42,8 @@ void add_pile_command(CLI::App& program, int& exit_code) {
       ->add_option("--picture", options->picture,
                    "draw the pile as well: a name that ends in .svg or .png, see render")
       ->check(picture_name_check());
-  command->callback([options, &exit_code] {
+  command->callback([command, options, &exit_code] {
+    refuse_idle_margin(*command, *options);
     if (const std::string problem = film_name_problem(options->frames, options->picture);
         !problem.empty()) {
       report_error(problem);

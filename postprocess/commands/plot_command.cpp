@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "csv_table.h"
 #include "input_error.h"
+#include "option_checks.h"
 #include "paper_figures.h"
 #include "picture_options.h"
 #include "table_charts.h"
@@ -77,6 +78,21 @@ void add_column_options(CLI::App& command, TableChart& columns) {
   command.add_option("--title", columns.title, "words above a curve or map");
 }
 
+void refuse_idle_options(const CLI::App& command, const PlotOptions& options) {
+  const bool is_curve = options.what == "curve", is_map = options.what == "map";
+  if (!is_curve && !is_map)
+    refuse_without_effect(command, {"--x", "--y", "--margin", "--group", "--value", "--title"},
+                          "on a figure of the paper");
+  if (is_map)
+    refuse_without_effect(command, {"--group", "--margin"}, "on a map");
+  if (is_curve)
+    refuse_without_effect(command, {"--value"}, "on a curve");
+  if (options.what != "15")
+    refuse_without_effect(command, {"--aspect"}, "on anything but figure 15");
+  if (options.what == "5")
+    refuse_without_effect(command, {"files"}, "on figure 5");
+}
+
 } // namespace
 
 void add_plot_command(CLI::App& program, int& exit_code) {
@@ -111,7 +127,10 @@ void add_plot_command(CLI::App& program, int& exit_code) {
   command->add_option("--height", options->height, "pixels")
       ->check(CLI::Range(200, 20000))
       ->capture_default_str();
-  command->callback([options, &exit_code] { plot(*options); });
+  command->callback([command, options, &exit_code] {
+    refuse_idle_options(*command, *options);
+    plot(*options);
+  });
 }
 
 } // namespace ellipsoid::post

@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "frame_loop.h"
 #include "measure_rows.h"
+#include "option_checks.h"
 #include "pile_definitions.h"
 #include "pile_measures.h"
 #include "pile_options.h"
@@ -30,8 +31,12 @@ void add_porosity_command(CLI::App& program, int& exit_code) {
   command->footer(std::string(pile_definition) + "\n" + porosity_definition);
   add_frame_options(*command, options->frames);
   add_plane_options(*command, options->plane);
+  add_fit_options(*command, options->plane);
   add_porosity_options(*command, *options);
-  command->callback([options, &exit_code] {
+  command->callback([command, options, &exit_code] {
+    refuse_idle_margin(*command, *options);
+    if (options->region == "whole")
+      refuse_without_effect(*command, fit_options, "without --region middle or core");
     exit_code = run_table_command(options->frames, "Porosity",
                                   [&](const ChosenFrame& f) { return porosity_row(*options, f); });
   });

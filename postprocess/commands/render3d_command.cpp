@@ -6,6 +6,7 @@
 #include "frame_options.h"
 #include "gravity_options.h"
 #include "messages.h"
+#include "option_checks.h"
 #include "picture_options.h"
 #include "render_space.h"
 #include "space_picture.h"
@@ -163,7 +164,15 @@ void add_render3d_command(CLI::App& program, int& exit_code) {
   add_run_surface_options(*command, options->surfaces);
   command->add_flag("!--no-axes", options->view.show_axes, "without the arrows along x, y and z");
   command->add_flag("--bare", options->is_bare, "PNG of the particles alone, no words and scales");
-  command->callback([options, &exit_code] { exit_code = render_spaces(*options); });
+  command->callback([command, options, &exit_code] {
+    if (options->colour_by.empty())
+      refuse_without_effect(*command, {"--colour-range"}, "without --colour");
+    if (!options->show_walls)
+      refuse_without_effect(*command, {"--log"}, "without --show-walls");
+    if (options->is_bare)
+      refuse_without_effect(*command, {"--title", "--no-axes"}, "with --bare");
+    exit_code = render_spaces(*options);
+  });
 }
 
 } // namespace ellipsoid::post

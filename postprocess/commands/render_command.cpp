@@ -4,6 +4,7 @@
 #include "frame_loop.h"
 #include "frame_options.h"
 #include "messages.h"
+#include "option_checks.h"
 #include "picture_options.h"
 #include "pile_measures.h"
 #include "plane_options.h"
@@ -86,6 +87,7 @@ void add_render_command(CLI::App& program, int& exit_code) {
       "summed over the pair's contacts.");
   add_frame_options(*command, options->frames);
   add_plane_options(*command, options->plane);
+  add_fit_options(*command, options->plane);
   command->add_option("--output,-o", options->output, "file name, ends in .svg or .png")
       ->required()
       ->check(picture_name_check());
@@ -102,7 +104,15 @@ void add_render_command(CLI::App& program, int& exit_code) {
   command->add_flag("--surface", options->picture.show_surface, "draw the free surface y_max(x)");
   command->add_flag("--discs", options->picture.show_discs, "draw inner outlines of sub-spheres");
   add_force_list_options(*command, options->contacts, "draws the force chains", "drawn");
-  command->callback([options, &exit_code] { exit_code = render_piles(*options); });
+  command->callback([command, options, &exit_code] {
+    if (options->picture.colour_by.empty())
+      refuse_without_effect(*command, {"--colour-range"}, "without --colour");
+    if (options->no_fit)
+      refuse_without_effect(*command, {"--cut-bottom", "--cut-top"}, "with --no-fit");
+    if (options->no_fit && !options->picture.show_surface)
+      refuse_without_effect(*command, {"--columns"}, "with --no-fit and without --surface");
+    exit_code = render_piles(*options);
+  });
 }
 
 } // namespace ellipsoid::post

@@ -54,6 +54,7 @@ void add_report_command(CLI::App& program, int& exit_code) {
   add_frame_options(*command, options->frames);
   command->get_option("runs")->required(false);
   add_plane_options(*command, options->plane);
+  add_fit_options(*command, options->plane);
   add_porosity_options(*command, *options);
   add_coordination_options(*command, *options);
   add_gravity_option(*command, options->gravity);
@@ -66,7 +67,8 @@ void add_report_command(CLI::App& program, int& exit_code) {
                       "CSV file and three columns, x, y and the colours': a map, and more of them");
   command->add_option("--view", options->views,
                       "pages that `view` made, to link to (one beside a dump is found by itself)");
-  command->callback([options, &exit_code] {
+  command->callback([command, options, &exit_code] {
+    refuse_idle_margin(*command, *options);
     options->frames.quiet = true;
     exit_code = report(*options);
   });

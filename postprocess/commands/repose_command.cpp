@@ -30,6 +30,7 @@ void add_repose_command(CLI::App& program, int& exit_code) {
   command->footer(std::string(pile_definition) + "\n" + repose_definition);
   add_frame_options(*command, options->frames);
   add_plane_options(*command, options->plane);
+  add_fit_options(*command, options->plane);
   command->callback([options, &exit_code] {
     exit_code = run_table_command(options->frames, "Angle of repose",
                                   [&](const ChosenFrame& f) { return repose_row(*options, f); });

@@ -256,6 +256,15 @@ void add_comparison_options(CLI::App& command, TemplateOptions& options) {
   recommend->excludes(compare)->excludes(command.get_option("--aspect"));
 }
 
+void refuse_idle_options(const CLI::App& command, const TemplateOptions& options) {
+  if (options.tolerance > 0.0)
+    refuse_without_effect(command, {"--subspheres"}, "with --tolerance");
+  else
+    refuse_without_effect(command, {"--measure"}, "without --tolerance");
+  if (options.multisphere.empty() && options.molecule.empty())
+    refuse_without_effect(command, {"--mass"}, "without --multisphere or --molecule");
+}
+
 } // namespace
 
 void add_template_command(CLI::App& program, int& exit_code) {
@@ -286,7 +295,11 @@ void add_template_command(CLI::App& program, int& exit_code) {
   add_file_options(*command, *options);
   add_comparison_options(*command, *options);
   add_output_options(*command, options->output);
-  command->callback([command, options, &exit_code] { exit_code = run(*command, *options); });
+  command->callback([command, options, &exit_code] {
+    if (!options->sets.are_asked())
+      refuse_idle_options(*command, *options);
+    exit_code = run(*command, *options);
+  });
 }
 
 } // namespace ellipsoid::post

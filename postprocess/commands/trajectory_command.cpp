@@ -1,7 +1,9 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "collisions.h"
+#include "contact_list_options.h"
 #include "frame_loop.h"
 #include "frame_options.h"
+#include "option_checks.h"
 #include "particle_values.h"
 #include "time_option.h"
 #include "trajectories.h"
@@ -17,6 +19,7 @@ struct TrajectoryOptions {
   std::size_t origins = 1, apart = 1;
   double time_step = 0.0;
   bool lists_collisions = false;
+  ContactListOptions contacts;
   std::string per_particle;
 };
 
@@ -75,7 +78,7 @@ Row lag_row(const FollowedRun& run, std::size_t lag) {
   return row;
 }
 
-Row collision_row(const std::string& run, const Collision& c) {
+Row collision_row(const std::string& run, const Collision& c, bool has_overlaps) {
   Row row{{"run", "run", "", run}};
   row.push_back({"id_1", "id 1", "", c.id_1});
   row.push_back({"id_2", "id 2", "", c.id_2});
@@ -84,7 +87,8 @@ Row collision_row(const std::string& run, const Collision& c) {
   row.push_back({"normal_speed_m_per_s", "speed of approach", "m/s", c.normal_speed});
   row.push_back({"tangential_speed_m_per_s", "tangential speed", "m/s", c.tangential_speed});
   row.push_back({"departure_speed_m_per_s", "speed of departure", "m/s", c.departure_speed});
-  row.push_back({"largest_overlap_m", "largest overlap", "m", c.largest_overlap});
+  row.push_back({"largest_overlap_m", "largest overlap", "m",
+                 has_overlaps ? Value(c.largest_overlap) : Value()});
   return row;
 }
 
@@ -93,6 +97,9 @@ int list_collisions(const TrajectoryOptions& options) {
   Table table{"Collisions", {}};
   std::string name;
   auto collisions = std::make_unique<Collisions>();
+  ContactLists lists(options.contacts);
+  const bool has_overlaps =
+      options.contacts.files.empty() || !options.contacts.columns.overlap.empty();
   const auto end_run = [&] {
     if (!name.empty())
       fmt::print(stderr, "{}: {} pairs touched from the start, {} touch at the end\n", name,
@@ -107,8 +114,12 @@ int list_collisions(const TrajectoryOptions& options) {
       name = chosen.run;
       collisions = std::make_unique<Collisions>();
     }
-    for (const Collision& c : collisions->take(chosen.set, *time))
-      table.rows.push_back(collision_row(name, c));
+    const std::vector<TouchingPair> pairs =
+        options.contacts.files.empty()
+            ? touching_pairs(chosen.set)
+            : listed_pairs(lists.at(chosen.frame.timestep), options.contacts.columns, chosen.set);
+    for (const Collision& c : collisions->take(chosen.set, pairs, *time))
+      table.rows.push_back(collision_row(name, c, has_overlaps));
   });
   end_run();
   write_table(options.frames, table);
@@ -137,6 +148,26 @@ int run(const TrajectoryOptions& options) {
   return code;
 }
 
+/// Contact lists in place of contacts that are recomputed.
+void add_collision_list_options(CLI::App& command, ContactListOptions& options,
+                                CLI::Option* collisions) {
+  auto* lists = add_contact_list_options(command, options, "collisions are those of the lists");
+  lists->needs(collisions);
+  command
+      .add_option("--point-columns", options.columns.points,
+                  "of the contact list: x y z of the contact point (default: between the centres)")
+      ->expected(3)
+      ->needs(lists);
+  command
+      .add_option("--normal-columns", options.columns.normals,
+                  "of the contact list: x y z of the normal (default: from centre to centre)")
+      ->expected(3)
+      ->needs(lists);
+  command
+      .add_option("--overlap-column", options.columns.overlap, "of the contact list: the overlap")
+      ->needs(lists);
+}
+
 } // namespace
 
 void add_trajectory_command(CLI::App& program, int& exit_code) {
@@ -161,9 +192,18 @@ void add_trajectory_command(CLI::App& program, int& exit_code) {
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   add_particle_values_option(*command, options->per_particle);
-  command->add_flag("--collisions", options->lists_collisions,
-                    "lists the collisions of pairs instead: duration and relative velocity");
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  auto* collisions =
+      command->add_flag("--collisions", options->lists_collisions,
+                        "lists the collisions of pairs instead: duration and relative velocity");
+  add_collision_list_options(*command, options->contacts, collisions);
+  command->callback([command, options, &exit_code] {
+    if (options->lists_collisions)
+      refuse_without_effect(*command, {"--origins", "--apart", "--per-particle"},
+                            "with --collisions");
+    else if (options->origins == 1)
+      refuse_without_effect(*command, {"--apart"}, "with one of --origins");
+    exit_code = run(*options);
+  });
 }
 
 } // namespace ellipsoid::post

@@ -10,9 +10,11 @@
 #include "table.h"
 #include "view_page.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <memory>
 
 namespace ellipsoid::post {
@@ -22,7 +24,7 @@ struct ViewOptions {
   FrameOptions frames;
   ContactListOptions contacts;
   RunSurfaceOptions surfaces;
-  std::string output, title, up, colour_by = "speed";
+  std::string output, title, up, colour_by;
   bool no_contacts = false, no_walls = false;
 };
 
@@ -50,6 +52,13 @@ void add_walls(const ViewOptions& options, const std::string& first_file, ViewSe
     (plane.axis == 0 ? wall.normal.x : plane.axis == 1 ? wall.normal.y : wall.normal.z) = 1.0;
     settings.walls.push_back(wall);
   }
+  const auto unit = [](unsigned axis) {
+    return Vector3{axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
+  };
+  for (const PrimitiveCylinder& cylinder : surfaces.cylinders)
+    settings.cylinders.push_back({cylinder.middle[0] * unit((cylinder.axis + 1) % 3) +
+                                      cylinder.middle[1] * unit((cylinder.axis + 2) % 3),
+                                  unit(cylinder.axis), cylinder.radius});
   for (const ShownMesh& mesh : surfaces.meshes) {
     settings.meshes.push_back({mesh.name, {}});
     for (const auto& triangle : mesh.triangles)
@@ -100,6 +109,16 @@ int up_axis(const ViewOptions& options) {
   return axis;
 }
 
+/// A column that all frames have. Throws InputError for another one that the user asked for.
+std::string colour_of_page(const ViewOptions& options, const ViewSurvey& survey) {
+  const std::vector<std::string> names = survey.column_names();
+  const std::string wanted = options.colour_by.empty() ? "speed" : options.colour_by;
+  if (!options.colour_by.empty() && std::find(names.begin(), names.end(), wanted) == names.end())
+    throw InputError(fmt::format("--colour {}: expected a column of all frames: {}", wanted,
+                                 fmt::join(names, " ")));
+  return wanted;
+}
+
 int write_view(const ViewOptions& options) {
   const int up = up_axis(options);
   ViewSurvey survey(up);
@@ -109,6 +128,9 @@ int write_view(const ViewOptions& options) {
     if (first_file.empty())
       first_file = chosen.frame.place.file;
     survey.add(chosen.frame, chosen.set);
+    for (const std::string& fault : chosen.frame.unreadable)
+      if (!fault.empty())
+        report_warning(fault + "; the column is left out", fault);
     particles += chosen.set.particles.size();
   });
   if (code != exit_good)
@@ -116,7 +138,7 @@ int write_view(const ViewOptions& options) {
   ViewSettings settings;
   settings.title =
       options.title.empty() ? std::filesystem::path(first_file).filename().string() : options.title;
-  settings.colour_by = options.colour_by;
+  settings.colour_by = colour_of_page(options, survey);
   settings.up = up;
   settings.has_contacts = !options.no_contacts;
   settings.has_forces = !options.contacts.files.empty();
@@ -159,7 +181,7 @@ void add_view_command(CLI::App& program, int& exit_code) {
       ->add_option(
           "--colour,--color", options->colour_by,
           "column that the page opens with: speed, spin, angle, tilt, type, or one of the file")
-      ->capture_default_str();
+      ->default_str("speed");
   CLI::Option* log = add_run_surface_options(*command, options->surfaces);
   auto* no_walls = command->add_flag("--no-walls", options->no_walls, "without the log's walls");
   no_walls->excludes(log);

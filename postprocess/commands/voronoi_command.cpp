@@ -23,6 +23,9 @@ struct VoronoiCommandOptions {
 PeriodicCell cell_of(const VoronoiCommandOptions& options, const Box& frame_box) {
   Box box = frame_box;
   const PeriodicCell whole(box);
+  if (!options.box.empty() && whole.is_periodic(0) && whole.is_periodic(1) && whole.is_periodic(2))
+    throw InputError("--box is for axes that do not repeat; this box repeats along all: leave it "
+                     "out");
   for (std::size_t k = 0; k < 3 && !options.box.empty(); ++k) {
     if (whole.is_periodic(k))
       continue;

@@ -23,6 +23,8 @@ std::vector<double> values_of(const Frame& frame, const ParticleSet& set, const 
   const bool is_column = by != "angle" && by != "speed";
   const std::vector<double>* column =
       is_column ? &frame.required(by, "for the colours; or choose angle or speed") : nullptr;
+  if (by == "speed" && !set.has_velocities)
+    throw InputError("a file without the columns vx vy vz has no speeds to colour by");
   for (const Particle& p : set.particles)
     values.push_back(column ? (*column)[p.row] : by == "angle" ? plane_angle(p) : norm(p.velocity));
   return values;

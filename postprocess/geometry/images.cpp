@@ -51,6 +51,7 @@ ParticleSet with_images(const ParticleSet& set, const Vector3& lower, const Vect
   ParticleSet images = set;
   images.particles.clear();
   images.spheres.clear();
+  images.sphere_ids.clear(); // lists of contacts name no images
   const std::vector<Vector3> shifts = cell.shifts(reach);
   for (const Particle& p : set.particles) {
     const double radius = bounding_radius(set, p);

@@ -57,6 +57,11 @@ std::size_t bodies_at_wall(const ParticleSet& set, std::size_t particle, const S
                            double gap) {
   if (const auto* plane = std::get_if<PlaneWall>(&wall))
     return wall_overlaps(set, particle, *plane, gap).size();
+  if (const auto* sheet = std::get_if<SheetWall>(&wall)) {
+    const bool is_above = dot(set.particles[particle].centre - sheet->point, sheet->normal) >= 0.0;
+    const PlaneWall plane{sheet->point, is_above ? sheet->normal : -sheet->normal};
+    return wall_overlaps(set, particle, plane, gap).size();
+  }
   if (const auto* cylinder = std::get_if<CylinderWall>(&wall))
     return bodies_at(set, set.particles[particle], *cylinder, gap);
   return bodies_at(set, set.particles[particle], std::get<MeshWall>(wall), gap);

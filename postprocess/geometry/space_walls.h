@@ -9,6 +9,11 @@
 
 namespace ellipsoid::post {
 
+/// A plane without thickness; bodies are on the side of their centre.
+struct SheetWall {
+  Vector3 point, normal; ///< normal: unit
+};
+
 /// An infinite circular cylinder; bodies are on the side of their centre.
 struct CylinderWall {
   Vector3 point, axis; ///< axis: unit
@@ -20,7 +25,7 @@ struct MeshWall {
   std::vector<std::array<Vector3, 3>> triangles; ///< corners (length)
 };
 
-using SpaceWall = std::variant<PlaneWall, CylinderWall, MeshWall>;
+using SpaceWall = std::variant<PlaneWall, SheetWall, CylinderWall, MeshWall>;
 
 /// How many bodies of a particle (its ellipsoid, or its spheres) come as near to a wall as half of
 /// the gap, by the engine's kernel.

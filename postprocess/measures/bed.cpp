@@ -12,8 +12,6 @@
 namespace ellipsoid::post {
 namespace {
 
-constexpr double pi = 3.141592653589793238462643;
-
 ConvexPolygon section_of(const BedRegion& region) {
   if (region.shape == BedShape::box)
     return {{region.x0, region.y0},
@@ -21,7 +19,7 @@ ConvexPolygon section_of(const BedRegion& region) {
             {region.x1, region.y1},
             {region.x0, region.y1}};
   constexpr int corners = 360;
-  constexpr double step = 2.0 * pi / corners;
+  constexpr double step = 2.0 * M_PI / corners;
   // a regular polygon with circumradius R has the area n/2 R^2 sin(2 pi / n)
   const double circumradius = region.radius * std::sqrt(step / std::sin(step));
   ConvexPolygon polygon;

@@ -4,79 +4,51 @@
 #include "ellipsoid/ellipsoid_properties.h"
 #include "multisphere/union_measures.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace ellipsoid::post {
 namespace {
 
-constexpr double pi = 3.141592653589793238462643;
-
-struct LineSphere {
-  double abscissa, radius;
-};
-
-/// The spheres of a body along the line of their centres; empty where there is no such line.
-std::vector<LineSphere> on_one_line(const ParticleSet& set, const Particle& p) {
-  constexpr double off_the_line = 1.0e-6; // of a radius: rounding of positions in files
-  const Sphere* const begin = set.spheres.data() + p.first_sphere;
-  const Sphere* const end = begin + p.sphere_count;
-  const Sphere* const farthest =
-      std::max_element(begin, end, [&](const Sphere& s, const Sphere& t) {
-        return norm(s.centre - begin->centre) < norm(t.centre - begin->centre);
-      });
-  const Vector3 way = farthest->centre - begin->centre;
-  const Vector3 axis = norm(way) > 0.0 ? normalized(way) : Vector3{1.0, 0.0, 0.0};
-  std::vector<LineSphere> line;
-  for (const Sphere* s = begin; s != end; ++s) {
-    const Vector3 d = s->centre - begin->centre;
-    const double along = dot(d, axis);
-    if (norm(d - along * axis) > off_the_line * s->radius)
-      return {};
-    line.push_back({along, s->radius});
+/// The exact measures of the union of a body's spheres.
+ellipsoid::UnionMeasures union_of(const ParticleSet& set, const Particle& p) {
+  SphereSet spheres;
+  for (std::size_t k = p.first_sphere; k < p.first_sphere + p.sphere_count; ++k) {
+    spheres.centres.push_back(set.spheres[k].centre);
+    spheres.radii.push_back(set.spheres[k].radius);
   }
-  std::sort(line.begin(), line.end(),
-            [](const LineSphere& s, const LineSphere& t) { return s.abscissa < t.abscissa; });
-  return line;
+  return measure_union(spheres);
 }
 
-double volume_on_line(const std::vector<LineSphere>& line) {
-  MultisphereTemplate chain;
-  for (const LineSphere& s : line) {
-    chain.centres.push_back(s.abscissa);
-    chain.radii.push_back(s.radius);
+/// Whether the centres of a body's spheres lie on its long axis.
+bool is_chain(const ParticleSet& set, const Particle& p) {
+  constexpr double off_the_line = 1.0e-5; // of a radius: six digits in the file
+  const Vector3 axis = rotation(p.orientation).column_x;
+  for (std::size_t k = p.first_sphere; k < p.first_sphere + p.sphere_count; ++k) {
+    const Vector3 d = set.spheres[k].centre - p.centre;
+    if (norm(d - dot(d, axis) * axis) > off_the_line * set.spheres[k].radius)
+      return false;
   }
-  double volume = 0.0;
-  for (const CutOffSphere& part : cut_off_spheres(chain)) {
-    const double r = chain.radii[static_cast<std::size_t>(part.sphere)];
-    const auto below = [r](double u) { return u * (r * r - u * u / 3.0); };
-    volume += pi * (below(part.to) - below(part.from));
-  }
-  return volume;
+  return true;
 }
 
 } // namespace
 
 double body_volume(const ParticleSet& set, const Particle& particle) {
-  if (particle.is_smooth())
-    return volume(particle.semiaxes);
-  if (const auto line = on_one_line(set, particle); !line.empty())
-    return volume_on_line(line);
-  SphereSet spheres;
-  for (std::size_t k = 0; k < particle.sphere_count; ++k) {
-    const Sphere& sphere = set.spheres[particle.first_sphere + k];
-    spheres.centres.push_back(sphere.centre - particle.centre);
-    spheres.radii.push_back(sphere.radius);
-  }
-  return measure_union(spheres).volume;
+  return particle.is_smooth() ? volume(particle.semiaxes) : union_of(set, particle).volume;
 }
 
-double volume_radius(double volume) { return std::cbrt(0.75 * volume / pi); }
+double volume_radius(double volume) { return std::cbrt(0.75 * volume / M_PI); }
 
-SymmetricMatrix3 body_inertia(const Particle& particle, double mass) {
-  const bool is_clump = norm(particle.moments_per_mass) > 0.0;
-  const Vector3 moments =
-      is_clump ? mass * particle.moments_per_mass : principal_moments(particle.semiaxes, mass);
+SymmetricMatrix3 body_inertia(const ParticleSet& set, const Particle& particle, double mass) {
+  Vector3 moments = principal_moments(particle.semiaxes, mass);
+  if (set.has_moments && particle.mass > 0.0) {
+    moments = (mass / particle.mass) * particle.principal_moments;
+  } else if (norm(particle.moments_per_mass) > 0.0) {
+    moments = mass * particle.moments_per_mass;
+  } else if (particle.is_host_body && !is_chain(set, particle)) {
+    const ellipsoid::UnionMeasures body = union_of(set, particle);
+    return (mass / body.volume) * body.inertia;
+  }
   return rotated_diagonal(rotation(particle.orientation), moments.x, moments.y, moments.z);
 }
 

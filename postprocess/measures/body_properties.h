@@ -5,15 +5,16 @@
 
 namespace ellipsoid::post {
 
-/// Volume of the union of a body's parts (length^3). Exact for ellipsoids and for spheres with
-/// their centres on one line, to rounding for any other union of spheres.
+/// Volume of an ellipsoid or of the union of a body's spheres (length^3), exact to rounding.
 double body_volume(const ParticleSet& set, const Particle& particle);
 
 /// Radius of the ball of the same volume (length).
 double volume_radius(double volume);
 
-/// Inertia about the centre in the space frame (mass length^2), of a solid ellipsoid with the
-/// particle's semi-axes, or of a solid clump.
-SymmetricMatrix3 body_inertia(const Particle& particle, double mass);
+/// Inertia about the centre in the space frame (mass length^2): of the columns inertiax.. where the
+/// file has them; else of the solid ellipsoid with the particle's semi-axes, with which the engine
+/// moves chains of spheres, too, and `template --multisphere` the host's chains; of the homogeneous
+/// union of the spheres for the host's other bodies.
+SymmetricMatrix3 body_inertia(const ParticleSet& set, const Particle& particle, double mass);
 
 } // namespace ellipsoid::post

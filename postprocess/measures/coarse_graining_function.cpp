@@ -7,8 +7,7 @@
 namespace ellipsoid::post {
 namespace {
 
-constexpr double pi = 3.141592653589793238462643;
-const double root_half_pi = std::sqrt(0.5 * pi), root_half = std::sqrt(0.5);
+const double root_half_pi = std::sqrt(0.5 * M_PI), root_half = std::sqrt(0.5);
 
 double reach_of(CoarseGrainingShape shape, double width) {
   return shape == CoarseGrainingShape::gaussian ? 3.0 * width
@@ -23,12 +22,12 @@ double factor_of(CoarseGrainingShape shape, double width, double reach) {
   case CoarseGrainingShape::gaussian: { // share of the uncut Gaussian inside the cut-off
     const double share =
         std::erf(root_half * cutoff) - cutoff / root_half_pi * std::exp(-0.5 * cutoff * cutoff);
-    return 1.0 / (std::pow(2.0 * pi, 1.5) * cube * share);
+    return 1.0 / (std::pow(2.0 * M_PI, 1.5) * cube * share);
   }
   case CoarseGrainingShape::lucy:
-    return 105.0 / (16.0 * pi * reach * reach * reach);
+    return 105.0 / (16.0 * M_PI * reach * reach * reach);
   case CoarseGrainingShape::heaviside:
-    return 3.0 / (4.0 * pi * cube);
+    return 3.0 / (4.0 * M_PI * cube);
   }
   return 0.0;
 }
@@ -96,15 +95,15 @@ double CoarseGrainingFunction::over_plane(double distance) const {
   switch (m_shape) {
   case CoarseGrainingShape::gaussian: {
     const double w2 = m_width * m_width;
-    return 2.0 * pi * w2 * m_factor * (std::exp(-0.5 * z2 / w2) - std::exp(-0.5 * c2 / w2));
+    return 2.0 * M_PI * w2 * m_factor * (std::exp(-0.5 * z2 / w2) - std::exp(-0.5 * c2 / w2));
   }
   case CoarseGrainingShape::lucy: {
     const double q = std::abs(distance) / m_reach, q2 = q * q;
     const double inside = q2 * (0.5 + q2 * (-1.5 + q * (1.6 - 0.5 * q)));
-    return 2.0 * pi * c2 * m_factor * (0.1 - inside);
+    return 2.0 * M_PI * c2 * m_factor * (0.1 - inside);
   }
   case CoarseGrainingShape::heaviside:
-    return pi * (c2 - z2) * m_factor;
+    return M_PI * (c2 - z2) * m_factor;
   }
   return 0.0;
 }
@@ -120,7 +119,7 @@ double CoarseGrainingFunction::plane_from_centre(double abscissa) const {
   switch (m_shape) {
   case CoarseGrainingShape::gaussian: {
     const double w2 = m_width * m_width;
-    return 2.0 * pi * w2 * m_factor *
+    return 2.0 * M_PI * w2 * m_factor *
            (m_width * root_half_pi * std::erf(root_half * z / m_width) -
             z * std::exp(-0.5 * c2 / w2));
   }
@@ -128,10 +127,10 @@ double CoarseGrainingFunction::plane_from_centre(double abscissa) const {
     const double q = z / m_reach, q2 = q * q;
     const double inside =
         q * q2 * (1.0 / 6.0 + q2 * (-0.3 + std::abs(q) * (4.0 / 15.0 - std::abs(q) / 14.0)));
-    return 2.0 * pi * c2 * m_reach * m_factor * (0.1 * q - inside);
+    return 2.0 * M_PI * c2 * m_reach * m_factor * (0.1 * q - inside);
   }
   case CoarseGrainingShape::heaviside:
-    return pi * (c2 * z - z * z * z / 3.0) * m_factor;
+    return M_PI * (c2 * z - z * z * z / 3.0) * m_factor;
   }
   return 0.0;
 }

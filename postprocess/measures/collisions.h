@@ -4,7 +4,7 @@
 // they came.
 #pragma once
 
-#include "contacts.h"
+#include "contact_forces.h"
 #include "periodic_cell.h"
 
 #include <cstdint>
@@ -25,13 +25,28 @@ struct Collision {
   double departure_speed = 0.0; ///< along the normal in the first frame after it (velocity)
 };
 
+/// A pair that touches: the engine's contact of it, or one of a list.
+struct TouchingPair {
+  std::size_t i = 0, j = 0; ///< indices of the set
+  Vector3 point, normal;    ///< (length), unit from i to j
+  double overlap = 0.0;     ///< the largest of the pair (length)
+};
+
+/// Recomputed from positions with the engine's kernel; of several contacts of a pair the first.
+std::vector<TouchingPair> touching_pairs(const ParticleSet& set);
+/// As a list has them; the first row of each pair.
+/// Throws InputError when the list names a particle that is not there.
+std::vector<TouchingPair> listed_pairs(const Frame& list, const ContactColumns& columns,
+                                       const ParticleSet& set);
+
 /// Follows all pairs from frame to frame. Times are known to the distance of the frames.
 class Collisions {
  public:
-  /// The next frame. Throws InputError without velocities and
+  /// The next frame and its touching pairs. Throws InputError without velocities and
   /// angular velocities.
   /// @return the collisions that ended before it
-  std::vector<Collision> take(const ParticleSet& set, double time);
+  std::vector<Collision> take(const ParticleSet& set, const std::vector<TouchingPair>& pairs,
+                              double time);
 
   std::size_t from_the_start() const { return m_from_the_start; } ///< pairs not seen to begin
   std::size_t not_ended() const { return m_touching.size(); }     ///< pairs that touch now
@@ -49,6 +64,8 @@ class Collisions {
 
   static Vector3 relative_velocity(const Motion& first, const Motion& second,
                                    const Touching& contact);
+  Touching begun(const ParticleSet& set, const TouchingPair& pair, double time) const;
+  std::vector<Collision> ended(const std::map<std::int64_t, Motion>& motions, double time) const;
 
   bool m_has_frame = false;
   double m_time = 0.0; ///< of the last frame

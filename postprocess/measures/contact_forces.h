@@ -28,6 +28,7 @@ struct ContactColumns {
   std::vector<std::string> ids;     ///< of the two particles
   std::vector<std::string> forces;  ///< x y z
   std::vector<std::string> normals; ///< x y z; empty: not listed
+  std::vector<std::string> points;  ///< x y z; empty: not listed
   std::string overlap;              ///< empty: not listed
 };
 

@@ -1,22 +1,19 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "energy.h"
 
+#include "body_properties.h"
+
 namespace ellipsoid::post {
 namespace {
 
-/// Of the solid ellipsoid, or clump (mass length^2).
-Vector3 solid_moments(const Particle& p) {
-  if (norm(p.moments_per_mass) > 0.0)
-    return p.mass * p.moments_per_mass;
-  const Vector3& s = p.semiaxes;
-  return (p.mass / 5.0) *
-         Vector3{s.y * s.y + s.z * s.z, s.x * s.x + s.z * s.z, s.x * s.x + s.y * s.y};
-}
-
-double rotation_energy(const Particle& p, const Vector3& moments) {
+/// With the body's own inertia, or with given principal moments.
+double rotation_energy(const ParticleSet& set, const Particle& p,
+                       const std::optional<Vector3>& moments) {
+  if (!moments)
+    return 0.5 * dot(p.angular_velocity, body_inertia(set, p, p.mass) * p.angular_velocity);
   const Vector3 spin = rotation(p.orientation).to_body(p.angular_velocity);
-  return 0.5 *
-         (moments.x * spin.x * spin.x + moments.y * spin.y * spin.y + moments.z * spin.z * spin.z);
+  return 0.5 * (moments->x * spin.x * spin.x + moments->y * spin.y * spin.y +
+                moments->z * spin.z * spin.z);
 }
 
 } // namespace
@@ -24,10 +21,14 @@ double rotation_energy(const Particle& p, const Vector3& moments) {
 Energy energy(const ParticleSet& set, const EnergyOptions& options) {
   if (!set.has_velocities)
     throw InputError("energies need the columns vx vy vz (and omegax omegay omegaz)");
+  if (options.inertia && !set.has_spins)
+    throw InputError("--inertia is for rotation, but the file has no columns omegax omegay omegaz: "
+                     "leave it out");
   if (set.asymmetric_bodies > 0)
     throw InputError(
         "the mass centres of bodies whose spheres are not symmetric about a point are not "
         "in the file: take the energies from the host (compute ke/multisphere)");
+  set.has_masses.require_readable();
   Energy sum;
   if (set.has_spins)
     sum.rotation = 0.0;
@@ -38,7 +39,7 @@ Energy energy(const ParticleSet& set, const EnergyOptions& options) {
       throw InputError("energies need a column \"mass\" with masses > 0");
     sum.translation += 0.5 * p.mass * dot(p.velocity, p.velocity);
     if (sum.rotation)
-      *sum.rotation += rotation_energy(p, options.inertia.value_or(solid_moments(p)));
+      *sum.rotation += rotation_energy(set, p, options.inertia);
     if (sum.potential)
       *sum.potential -= p.mass * dot(*options.gravity, p.centre);
   }

@@ -36,9 +36,11 @@ Tensor3 tensor_of(const Matrix& m) {
 }
 Vector3 vector_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-double mass_of(const Particle& p, double volume, const FieldOptions& options) {
+double mass_of(const ParticleSet& set, const Particle& p, double volume,
+               const FieldOptions& options) {
   if (options.density)
     return *options.density * volume;
+  set.has_masses.require_readable();
   if (!(p.mass > 0.0))
     throw InputError("fields need a column \"mass\" with masses > 0, or --density");
   return p.mass;
@@ -47,9 +49,9 @@ double mass_of(const Particle& p, double volume, const FieldOptions& options) {
 FieldSums source_of(const ParticleSet& set, const Particle& p, const FieldOptions& options,
                     const Matrix& normals) {
   FieldSums source{};
-  const double volume = body_volume(set, p), mass = mass_of(p, volume, options);
+  const double volume = body_volume(set, p), mass = mass_of(set, p, volume, options);
   const Eigen::Vector3d v = eigen(p.velocity), omega = eigen(p.angular_velocity);
-  const Matrix inertia = matrix_of(body_inertia(p, mass));
+  const Matrix inertia = matrix_of(body_inertia(set, p, mass));
   const Eigen::Vector3d spin = inertia * omega;
   source[field_number] = 1.0;
   source[field_mass] = mass;

@@ -3,7 +3,6 @@
 
 #include "bed.h"
 #include "body_properties.h"
-#include "wall/triangle_contact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,54 +71,36 @@ double share_beyond(const ParticleSet& set, const Particle& particle, const Vect
   return 0.25 * (1.0 - h) * (1.0 - h) * (2.0 + h); // cap of the unit ball over 4 pi / 3
 }
 
-/// +1 forward, -1 backward, 0 not through the gate.
-int FlowThrough::crossing(const Vector3& from, const Vector3& to) const {
-  int sum = 0;
-  for (const std::array<Vector3, 3>& triangle : m_gate.triangles)
-    if (crosses(triangle, from, to, 0.0, 1.0))
-      sum += dot(unit_normal(triangle), to - from) > 0.0 ? 1 : -1;
-  if (!m_gate.triangles.empty())
-    return sum;
-  const double before = dot(from - m_gate.point, m_gate.normal);
-  const double after = dot(to - m_gate.point, m_gate.normal);
-  if ((before < 0.0) == (after < 0.0))
-    return 0;
-  const Vector3 place = from + (before / (before - after)) * (to - from);
-  if (!lies_in_gate(place))
-    return 0;
-  return after < 0.0 ? -1 : 1;
-}
-
-bool FlowThrough::lies_in_gate(const Vector3& centre) const {
-  if (!m_gate.radius)
-    return true;
-  const Vector3 d = centre - m_gate.point;
-  const Vector3 across = d - dot(d, m_gate.normal) * m_gate.normal;
-  return norm(across) <= *m_gate.radius;
-}
-
 /// Adds what one particle's step from frame to frame means.
 void FlowThrough::move(const Particle& particle, const State& before, const State& now, double mass,
                        const PeriodicCell& cell, FlowStep& step) const {
   const Vector3 straight = particle.centre - before.centre, way = cell.nearest(straight);
   const Vector3 around = straight - way; // the box, from the image at the end to that at the start
-  int passed = crossing(particle.centre - way, particle.centre);
+  std::vector<GateCrossing> passed = crossings(m_gate, particle.centre - way, particle.centre);
   constexpr double rounding = 1.0e-9; // of a length
   const bool goes_around = norm(around) > rounding * norm(straight);
   const bool leaves_plane = std::abs(dot(around, m_gate.normal)) > rounding * norm(around);
   const bool is_bounded = m_gate.radius || !m_gate.triangles.empty();
   if (goes_around && (leaves_plane || is_bounded)) // the gate may be at the other image
-    passed += crossing(before.centre, before.centre + way);
+    for (const GateCrossing& other : crossings(m_gate, before.centre, before.centre + way))
+      passed.push_back(other);
   if (goes_around && leaves_plane)
     step.volume_share_mass.reset();
-  if (passed > 0) {
-    ++step.forward;
-    step.mass_forward += mass;
-  } else if (passed < 0) {
-    ++step.backward;
-    step.mass_backward += mass;
+  int net = 0;
+  for (const GateCrossing& crossing : passed)
+    net += crossing.direction;
+  if (net != 0) {
+    (net > 0 ? step.forward : step.backward) += 1;
+    (net > 0 ? step.mass_forward : step.mass_backward) += mass;
+    const auto last = std::max_element(passed.begin(), passed.end(),
+                                       [net](const GateCrossing& a, const GateCrossing& b) {
+                                         return a.direction * net < b.direction * net ||
+                                                (a.direction == b.direction && a.share < b.share);
+                                       });
+    step.passages.push_back(
+        {particle.id, net > 0, mass, last->share, last->place, last->normal, way});
   }
-  if (step.volume_share_mass && (lies_in_gate(particle.centre) || lies_in_gate(before.centre)))
+  if (step.volume_share_mass && (m_gate.holds(particle.centre) || m_gate.holds(before.centre)))
     *step.volume_share_mass += mass * (now.beyond - before.beyond);
 }
 
@@ -130,6 +111,8 @@ std::optional<FlowStep> FlowThrough::take(const ParticleSet& set, const Periodic
     step.volume_share_mass = 0.0;
   std::map<std::int64_t, State> states;
   for (const Particle& p : set.particles) {
+    if (!density)
+      set.has_masses.require_readable();
     if (!density && !(p.mass > 0.0))
       throw InputError("a flow needs a column \"mass\" with masses > 0, or --density");
     const double mass = density ? *density * body_volume(set, p) : p.mass;
@@ -141,6 +124,7 @@ std::optional<FlowStep> FlowThrough::take(const ParticleSet& set, const Periodic
       m_states.erase(before);
     } else {
       ++step.appeared;
+      step.fresh.push_back(p.id);
     }
     states[p.id] = state;
   }

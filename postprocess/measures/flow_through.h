@@ -3,10 +3,10 @@
 // What passes a plane, a disc or the triangles of a face between the frames of a run.
 #pragma once
 
+#include "flow_gate.h"
 #include "particles.h"
 #include "periodic_cell.h"
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -14,11 +14,15 @@
 
 namespace ellipsoid::post {
 
-/// Where particles are counted. Forward is the way of the normal (of triangles: the right hand).
-struct FlowGate {
-  Vector3 point, normal{0.0, 0.0, 1.0};          ///< of the plane; normal: unit
-  std::optional<double> radius;                  ///< of a disc about the point (length)
-  std::vector<std::array<Vector3, 3>> triangles; ///< if any: instead of plane and disc
+/// A particle that passed a gate.
+struct Passage {
+  std::int64_t id = 0;
+  bool is_forward = true;
+  double mass = 0.0;
+  double share = 0.0; ///< of the time between the two frames
+  Vector3 place;      ///< of its centre, as it passed (length)
+  Vector3 normal;     ///< of the gate there, forward (unit)
+  Vector3 way;        ///< from frame to frame (length)
 };
 
 /// What passed between two frames.
@@ -29,6 +33,8 @@ struct FlowStep {
   /// a body came around the box.
   std::optional<double> volume_share_mass;
   std::size_t appeared = 0, vanished = 0; ///< particles that the other frame does not have
+  std::vector<std::int64_t> fresh;        ///< ids of those that appeared
+  std::vector<Passage> passages;          ///< one for each particle that passed
 };
 
 /// Share of a body's volume beyond a plane (0 to 1). Exact for ellipsoids; of spheres from plane
@@ -52,10 +58,8 @@ class FlowThrough {
     Vector3 centre;
     double beyond = 0.0; ///< share of the volume
   };
-  int crossing(const Vector3& from, const Vector3& to) const;
   void move(const Particle& particle, const State& before, const State& now, double mass,
             const PeriodicCell& cell, FlowStep& step) const;
-  bool lies_in_gate(const Vector3& centre) const;
 
   FlowGate m_gate;
   bool m_has_frame = false;

@@ -4,30 +4,6 @@
 #include "listed_particles.h"
 
 namespace ellipsoid::post {
-namespace {
-
-/// Three columns of a list as vectors; none where they are not listed.
-class ListedVectors {
- public:
-  ListedVectors(const Frame& list, const std::vector<std::string>& names,
-                const std::string& purpose) {
-    if (names.empty())
-      return;
-    for (std::size_t k = 0; k < 3; ++k)
-      m_columns[k] = &list.required(names[k], purpose);
-  }
-  std::optional<Vector3> at(std::size_t row) const {
-    if (!m_columns[0])
-      return {};
-    return Vector3{(*m_columns[0])[row], (*m_columns[1])[row], (*m_columns[2])[row]};
-  }
-
- private:
-  const std::vector<double>* m_columns[3] = {nullptr, nullptr, nullptr};
-};
-
-} // namespace
-
 std::vector<ForceContact> force_contacts(const Frame& list, const ForceColumns& columns,
                                          const ParticleSet& set) {
   const ListedParticles particles(list, set);

@@ -11,8 +11,6 @@
 namespace ellipsoid::post {
 namespace {
 
-constexpr double pi = 3.141592653589793238462643;
-
 /// Mean heights over the floor in rings of one sector.
 struct Profile {
   std::vector<double> sums;
@@ -57,7 +55,7 @@ std::vector<Profile> sector_profiles(const HeightMap& map, const Point& axis, in
   for (std::size_t j = 0; j < map.columns_y(); ++j)
     for (std::size_t i = 0; i < map.columns_x(); ++i) {
       const double dx = map.x(i) - axis.x(), dy = map.y(j) - axis.y();
-      const double turn = (std::atan2(dy, dx) + pi) / (2.0 * pi);
+      const double turn = (std::atan2(dy, dx) + M_PI) / (2.0 * M_PI);
       const int sector = std::min(sectors - 1, static_cast<int>(turn * sectors));
       const auto ring = static_cast<std::size_t>(std::hypot(dx, dy) / ring_width);
       profiles[static_cast<std::size_t>(sector)].add(ring, map.height(i, j) - map.floor());
@@ -77,7 +75,7 @@ double sector_angle(const Profile& profile, double height, double ring_width,
   std::vector<Point> points;
   for (std::size_t ring = first; ring < b; ++ring)
     points.emplace_back((static_cast<double>(ring) + 0.5) * ring_width, profile.mean(ring));
-  return std::atan(-fit_line(points).slope) * 180.0 / pi;
+  return std::atan(-fit_line(points).slope) * 180.0 / M_PI;
 }
 
 /// Particles whose centres lie in one plane along an axis are no heap in space.

@@ -6,8 +6,14 @@
 namespace ellipsoid::post {
 
 ListedParticles::ListedParticles(const Frame& list, const ParticleSet& set) : m_list(list) {
-  for (std::size_t k = 0; k < set.particles.size(); ++k)
-    m_index_of_id[static_cast<double>(set.particles[k].id)] = k;
+  for (std::size_t k = 0; k < set.particles.size(); ++k) {
+    const Particle& p = set.particles[k];
+    if (!p.is_host_body)
+      m_index_of_id[static_cast<double>(p.id)] = k;
+    else // the host's lists name its spheres
+      for (std::size_t s = p.first_sphere; s < p.first_sphere + p.sphere_count; ++s)
+        m_index_of_id[static_cast<double>(set.sphere_ids[s])] = k;
+  }
 }
 
 std::size_t ListedParticles::at(const std::string& column, std::size_t row) const {
@@ -18,6 +24,19 @@ std::size_t ListedParticles::at(const std::string& column, std::size_t row) cons
                      fmt::format("the id of a particle in column \"{}\"", column),
                      fmt::format("{}, which the dump of the particles does not have", id));
   return found->second;
+}
+
+ListedVectors::ListedVectors(const Frame& list, const std::vector<std::string>& names,
+                             const std::string& purpose) {
+  if (!names.empty())
+    m_columns = {&list.required(names.at(0), purpose), &list.required(names.at(1), purpose),
+                 &list.required(names.at(2), purpose)};
+}
+
+std::optional<Vector3> ListedVectors::at(std::size_t row) const {
+  if (!m_columns)
+    return {};
+  return m_columns.at(row);
 }
 
 } // namespace ellipsoid::post

@@ -3,6 +3,7 @@
 
 #include "particles.h"
 
+#include <optional>
 #include <string>
 #include <unordered_map>
 
@@ -19,6 +20,17 @@ class ListedParticles {
  private:
   const Frame& m_list;
   std::unordered_map<double, std::size_t> m_index_of_id;
+};
+
+/// Three columns of a list as vectors; none where they are not named.
+class ListedVectors {
+ public:
+  ListedVectors(const Frame& list, const std::vector<std::string>& names,
+                const std::string& purpose);
+  std::optional<Vector3> at(std::size_t row) const;
+
+ private:
+  VectorColumns m_columns;
 };
 
 } // namespace ellipsoid::post

@@ -7,18 +7,40 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <numeric>
+#include <random>
+#include <utility>
 
 namespace ellipsoid::post {
 namespace {
 
-/// Sums over the particles of a cell, or of all.
+/// Sums over the particles of a cell, or of all. Weights w: 1, or volumes.
 struct Sums {
-  double count = 0.0, values = 0.0, squares = 0.0;
-  double unlike = 0.0; ///< sum of (q_i - q_k)^2 over the neighbours k of its particles
+  double count = 0.0, weight = 0.0, values = 0.0, squares = 0.0; ///< of 1, w, w q, w q^2
+  double weight_squares = 0.0, weighted_values = 0.0, weighted_squares = 0.0; ///< w^2 (1, q, q^2)
+  double unlike = 0.0; ///< sum of w_i w_k (q_i - q_k)^2 over the neighbours k of its particles
 
+  void add(double w, double q, double unlike_neighbours) {
+    count += 1.0;
+    weight += w;
+    values += w * q;
+    squares += w * q * q;
+    weight_squares += w * w;
+    weighted_values += w * w * q;
+    weighted_squares += w * w * q * q;
+    unlike += unlike_neighbours;
+  }
   Sums without(const Sums& other) const {
-    return {count - other.count, values - other.values, squares - other.squares,
-            unlike - other.unlike};
+    Sums rest = *this;
+    rest.count -= other.count;
+    rest.weight -= other.weight;
+    rest.values -= other.values;
+    rest.squares -= other.squares;
+    rest.weight_squares -= other.weight_squares;
+    rest.weighted_values -= other.weighted_values;
+    rest.weighted_squares -= other.weighted_squares;
+    rest.unlike -= other.unlike;
+    return rest;
   }
 };
 
@@ -46,46 +68,100 @@ class Cells {
 /// The variances and the indices made of them, from sums over cells.
 struct Indices {
   double variance = 0.0, segregated = 0.0, random = 0.0, lacey = 0.0, neighbours = 0.0;
+  double intensity = 0.0, relative_deviation = 0.0;
 };
 
-/// @param[in] squares_of_means sum over the cells of (sum of q)^2 / count
-Indices indices_of(const Sums& all, double cells, double squares_of_means, double per_particle) {
+/// What indices need beside sums.
+struct IndexSettings {
+  double neighbours = 0.0; ///< of each particle
+  double correction = 1.0; ///< of the variance of random orders, for weights that differ
+};
+
+/// @param[in] squares_of_means sum over the cells of (sum of w q)^2 / (sum of w)
+Indices indices_of(const Sums& all, double cells, double squares_of_means,
+                   const IndexSettings& settings) {
   Indices result;
-  const double mean = all.values / all.count;
-  result.variance = squares_of_means / all.count - mean * mean;
-  result.segregated = all.squares / all.count - mean * mean;
-  // mean of S^2 over all orders of the particles: sampling without replacement
-  result.random = result.segregated * (cells - 1.0) / (all.count - 1.0);
+  const double mean = all.values / all.weight;
+  result.variance = squares_of_means / all.weight - mean * mean;
+  result.segregated = all.squares / all.weight - mean * mean;
+  // Mean of S^2 over all orders of the particles, sampling without replacement: the sums of
+  // w (q - p) in the cells vary, their weights are taken as n W / N (exact for equal weights).
+  const double scatter =
+      all.weighted_squares - 2.0 * mean * all.weighted_values + mean * mean * all.weight_squares;
+  result.random = settings.correction * scatter * all.count / (all.weight * all.weight) *
+                  (cells - 1.0) / (all.count - 1.0);
   result.lacey =
       (result.segregated - result.variance) / (result.segregated - result.random); // Lacey 1954
-  const double expected = 2.0 * result.segregated * all.count / (all.count - 1.0);
-  result.neighbours = all.unlike / (all.count * per_particle) / expected;
+  // of w_i w_k (q_i - q_k)^2 over all pairs
+  const double pairs = all.count * (all.count - 1.0);
+  const double expected = 2.0 * (all.weight * all.squares - all.values * all.values) / pairs;
+  result.neighbours = all.unlike / (all.count * settings.neighbours) / expected;
+  result.intensity = result.variance / result.segregated; // Danckwerts 1952
+  result.relative_deviation = std::sqrt(std::max(0.0, result.variance)) / mean;
   return result;
 }
 
-double mean_square(const Sums& cell) { return cell.values * cell.values / cell.count; }
+/// S^2 of particles in cells.
+double variance_of(const std::vector<std::size_t>& cell_of, const std::vector<std::size_t>& order,
+                   const std::vector<double>& values, const std::vector<double>& weights,
+                   std::vector<std::pair<double, double>>& sums) {
+  std::fill(sums.begin(), sums.end(), std::pair(0.0, 0.0));
+  double weight = 0.0, total = 0.0, squares = 0.0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const double w = weights[order[i]], part = w * values[order[i]];
+    sums[cell_of[i]].first += w;
+    sums[cell_of[i]].second += part;
+    weight += w;
+    total += part;
+  }
+  for (const auto& [w, part] : sums)
+    squares += part * part / w;
+  return squares / weight - total * total / (weight * weight);
+}
 
-/// Standard errors by leaving out one cell after the other (jackknife).
+/// Mean of S^2 over random orders of the particles (no closed form where weights differ).
+double random_variance(const std::vector<std::size_t>& cell_of, std::size_t cells,
+                       const std::vector<double>& values, const std::vector<double>& weights) {
+  constexpr std::size_t most_orders = 2000, fewest_orders = 100, wanted_steps = 20000000;
+  const std::size_t orders = std::clamp(wanted_steps / values.size(), fewest_orders, most_orders);
+  std::mt19937_64 generator(20100213); // the same orders in every call
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<std::pair<double, double>> sums(cells);
+  double mean = 0.0;
+  for (std::size_t n = 0; n < orders; ++n) {
+    for (std::size_t k = order.size() - 1; k > 0; --k)
+      std::swap(order[k], order[generator() % (k + 1)]);
+    mean += variance_of(cell_of, order, values, weights, sums) / static_cast<double>(orders);
+  }
+  return mean;
+}
+
+double mean_square(const Sums& cell) { return cell.values * cell.values / cell.weight; }
+
+/// Standard error of an index from its values without one cell after the other (jackknife).
+double jackknife_error(const std::vector<Indices>& left_out, double Indices::*index) {
+  const double count = static_cast<double>(left_out.size());
+  double mean = 0.0, squares = 0.0;
+  for (const Indices& i : left_out)
+    mean += i.*index / count;
+  for (const Indices& i : left_out)
+    squares += (i.*index - mean) * (i.*index - mean);
+  return std::sqrt(squares * (count - 1.0) / count);
+}
+
 void add_errors(Mixing& result, const std::vector<Sums>& cells, const Sums& all,
-                double squares_of_means, double per_particle) {
-  const double count = static_cast<double>(cells.size());
+                double squares_of_means, const IndexSettings& settings) {
   if (cells.size() < 3)
     return;
   std::vector<Indices> left_out;
-  double lacey = 0.0, neighbours = 0.0;
-  for (const Sums& cell : cells) {
-    left_out.push_back(indices_of(all.without(cell), count - 1.0,
-                                  squares_of_means - mean_square(cell), per_particle));
-    lacey += left_out.back().lacey / count;
-    neighbours += left_out.back().neighbours / count;
-  }
-  double lacey_squares = 0.0, neighbour_squares = 0.0;
-  for (const Indices& i : left_out) {
-    lacey_squares += (i.lacey - lacey) * (i.lacey - lacey);
-    neighbour_squares += (i.neighbours - neighbours) * (i.neighbours - neighbours);
-  }
-  result.lacey_error = std::sqrt(lacey_squares * (count - 1.0) / count);
-  result.neighbour_index_error = std::sqrt(neighbour_squares * (count - 1.0) / count);
+  for (const Sums& cell : cells)
+    left_out.push_back(indices_of(all.without(cell), static_cast<double>(cells.size()) - 1.0,
+                                  squares_of_means - mean_square(cell), settings));
+  result.lacey_error = jackknife_error(left_out, &Indices::lacey);
+  result.neighbour_index_error = jackknife_error(left_out, &Indices::neighbours);
+  result.intensity_error = jackknife_error(left_out, &Indices::intensity);
+  result.relative_deviation_error = jackknife_error(left_out, &Indices::relative_deviation);
 }
 
 /// The mean position of q along one axis over that of all, and its bounds (Siraj et al. 2011).
@@ -93,41 +169,69 @@ struct AxisIndex {
   double index = 1.0, lowest = 1.0, highest = 1.0, error = 0.0;
 };
 
-AxisIndex axis_index(std::vector<double> places, const std::vector<double>& values) {
+/// The largest sum of w q x / sum of w x over all orders of the particles at these places: for a
+/// given quotient L the best order has w (q - L) ascending with x (Dinkelbach 1967).
+double largest_quotient(const std::vector<double>& sorted_places, const std::vector<double>& values,
+                        const std::vector<double>& weights) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  double quotient = *std::min_element(values.begin(), values.end());
+  constexpr int most_steps = 100; // it converges quadratically
+  for (int step = 0; step < most_steps; ++step) {
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+      return weights[i] * (values[i] - quotient) < weights[j] * (values[j] - quotient);
+    });
+    double above = 0.0, below = 0.0;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      above += weights[order[k]] * values[order[k]] * sorted_places[k];
+      below += weights[order[k]] * sorted_places[k];
+    }
+    const double better = above / below;
+    if (!(better > quotient * (1.0 + 1.0e-14)))
+      return std::max(better, quotient);
+    quotient = better;
+  }
+  return quotient;
+}
+
+AxisIndex axis_index(std::vector<double> places, const std::vector<double>& values,
+                     const std::vector<double>& weights) {
   const double count = static_cast<double>(places.size());
   const double first = *std::min_element(places.begin(), places.end());
-  double total = 0.0, mean = 0.0, weighted = 0.0, squares = 0.0;
+  double weight = 0.0, total = 0.0, mean = 0.0, weighted = 0.0, weighted_mean = 0.0, squares = 0.0;
   for (double& x : places)
     x -= first;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    total += values[i];
+    weight += weights[i];
+    total += weights[i] * values[i];
     mean += places[i] / count;
-    weighted += values[i] * places[i];
+    weighted_mean += weights[i] * places[i];
+    weighted += weights[i] * values[i] * places[i];
     squares += places[i] * places[i] / count;
   }
   if (!(mean > 0.0)) // all in one plane across this axis
     return {};
+  const double p = total / weight;
   double spread = 0.0;
-  for (const double q : values)
-    spread += (q - total / count) * (q - total / count);
+  std::vector<double> mirrored; // its largest quotient is the smallest one of q
+  const double largest = *std::max_element(values.begin(), values.end());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double part = weights[i] * (values[i] - p);
+    spread += part * part;
+    mirrored.push_back(largest - values[i]);
+  }
   AxisIndex result;
-  result.index = weighted / total / mean;
+  result.index = weighted / weighted_mean / p;
   // of a mean over a random order (finite population)
   result.error = std::sqrt(spread * (squares - mean * mean) * count / (count - 1.0)) / total / mean;
-  std::vector<double> sorted = values;
   std::sort(places.begin(), places.end());
-  std::sort(sorted.begin(), sorted.end());
-  double together = 0.0, apart = 0.0;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    together += sorted[i] * places[i];
-    apart += sorted[sorted.size() - 1 - i] * places[i];
-  }
-  result.highest = together / total / mean;
-  result.lowest = apart / total / mean;
+  result.highest = largest_quotient(places, values, weights) / p;
+  result.lowest = (largest - largest_quotient(places, mirrored, weights)) / p;
   return result;
 }
 
-void add_mean_positions(Mixing& result, const ParticleSet& set, const std::vector<double>& values) {
+void add_mean_positions(Mixing& result, const ParticleSet& set, const std::vector<double>& values,
+                        const std::vector<double>& weights) {
   std::array<std::vector<double>, 3> places;
   for (const Particle& p : set.particles) {
     places[0].push_back(p.centre.x);
@@ -138,7 +242,7 @@ void add_mean_positions(Mixing& result, const ParticleSet& set, const std::vecto
   double* const each[3] = {&result.mean_position_x, &result.mean_position_y,
                            &result.mean_position_z};
   for (std::size_t k = 0; k < 3; ++k) {
-    const AxisIndex axis = axis_index(places[k], values);
+    const AxisIndex axis = axis_index(places[k], values, weights);
     *each[k] = axis.index;
     result.mean_position += axis.index / 3.0;
     result.mean_position_lowest += axis.lowest / 3.0;
@@ -170,16 +274,14 @@ Mixing mixing(const ParticleSet& set, const std::vector<double>& values, const P
   const Cells cells(cell, options.cell_size);
   std::map<std::array<std::int64_t, 3>, Sums> sums_of_cell;
   Sums all;
+  const std::vector<double> weights =
+      options.weights.empty() ? std::vector<double>(centres.size(), 1.0) : options.weights;
   for (std::size_t i = 0; i < centres.size(); ++i) {
     double unlike = 0.0;
     for (const std::size_t k : near[i])
-      unlike += (values[i] - values[k]) * (values[i] - values[k]);
-    for (Sums* sums : {&sums_of_cell[cells.of(centres[i])], &all}) {
-      sums->count += 1.0;
-      sums->values += values[i];
-      sums->squares += values[i] * values[i];
-      sums->unlike += unlike;
-    }
+      unlike += weights[i] * weights[k] * (values[i] - values[k]) * (values[i] - values[k]);
+    for (Sums* sums : {&sums_of_cell[cells.of(centres[i])], &all})
+      sums->add(weights[i], values[i], unlike);
   }
   std::vector<Sums> each;
   double squares_of_means = 0.0;
@@ -191,25 +293,35 @@ Mixing mixing(const ParticleSet& set, const std::vector<double>& values, const P
     throw InputError("all particles lie in one cell: choose a smaller --cell");
   if (each.size() == centres.size())
     throw InputError("every particle has a cell of its own: choose a larger --cell");
-  const double per_particle = static_cast<double>(options.neighbours);
-  const Indices i =
-      indices_of(all, static_cast<double>(each.size()), squares_of_means, per_particle);
+  IndexSettings settings{static_cast<double>(options.neighbours), 1.0};
+  if (!options.weights.empty()) {
+    std::map<const Sums*, std::size_t> number_of;
+    for (const auto& entry : sums_of_cell)
+      number_of.emplace(&entry.second, number_of.size());
+    std::vector<std::size_t> cell_of;
+    for (const Vector3& centre : centres)
+      cell_of.push_back(number_of.at(&sums_of_cell.at(cells.of(centre))));
+    const double first_order =
+        indices_of(all, static_cast<double>(each.size()), squares_of_means, settings).random;
+    settings.correction = random_variance(cell_of, each.size(), values, weights) / first_order;
+  }
+  const Indices i = indices_of(all, static_cast<double>(each.size()), squares_of_means, settings);
   Mixing result;
   result.particles = centres.size();
   result.cells = each.size();
-  result.mean = all.values / all.count;
+  result.mean = all.values / all.weight;
   result.variance = i.variance;
   result.variance_segregated = i.segregated;
   result.variance_random = i.random;
   result.lacey = i.lacey;
   result.neighbour_index = i.neighbours;
-  result.intensity = i.variance / i.segregated; // Danckwerts 1952
+  result.intensity = i.intensity;
   result.intensity_random = i.random / i.segregated;
-  result.relative_deviation = std::sqrt(std::max(0.0, i.variance)) / result.mean;
+  result.relative_deviation = i.relative_deviation;
   result.relative_deviation_random = std::sqrt(i.random) / result.mean;
   result.relative_deviation_segregated = std::sqrt(i.segregated) / result.mean;
-  add_errors(result, each, all, squares_of_means, per_particle);
-  add_mean_positions(result, set, values);
+  add_errors(result, each, all, squares_of_means, settings);
+  add_mean_positions(result, set, values, weights);
   return result;
 }
 

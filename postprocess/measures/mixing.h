@@ -14,6 +14,7 @@ namespace ellipsoid::post {
 struct MixingOptions {
   double cell_size = 0.0;      ///< of the cells in which particles are counted (length)
   std::size_t neighbours = 12; ///< of each particle, for the index by neighbours
+  std::vector<double> weights; ///< of the particles, for example volumes; empty: all count alike
 };
 
 struct Mixing {
@@ -24,7 +25,8 @@ struct Mixing {
   double variance_random = 0.0;          ///< SR^2: the mean over all random orders
   double lacey = 0.0, lacey_error = 0.0; ///< 0 segregated, 1 random
   double intensity = 0.0, intensity_random = 0.; ///< of segregation: S^2 / S0^2
-  double relative_deviation = 0.0;               ///< S / mean
+  double intensity_error = 0.0, relative_deviation_error = 0.0;
+  double relative_deviation = 0.0; ///< S / mean
   double relative_deviation_random = 0.0, relative_deviation_segregated = 0.0;
   double mean_position = 0.0, mean_position_error = 0.0; ///< generalised mean mixing index
   double mean_position_x = 0.0, mean_position_y = 0.0, mean_position_z = 0.0;

@@ -13,8 +13,6 @@
 namespace ellipsoid::post {
 namespace {
 
-constexpr double pi = 3.141592653589793238462643;
-
 std::vector<Vector3> centres_of(const ParticleSet& set) {
   std::vector<Vector3> centres;
   for (const Particle& p : set.particles)
@@ -53,7 +51,7 @@ class RegionSeen {
   double volume() const { return m_volume; }
   double farthest() const { return m_farthest; }
   double at(double r) const {
-    constexpr double mean_one = 0.5, mean_two = 2.0 / (3.0 * pi), mean_three = 1.0 / (4.0 * pi);
+    constexpr double mean_one = 0.5, mean_two = 2.0 / (3.0 * M_PI), mean_three = 1.0 / (4.0 * M_PI);
     double first = 0.0, second = 0.0, third = 0.0; // sums of products of r / L
     if (m_open.size() == 3)
       third = r * r * r / (m_open[0] * m_open[1] * m_open[2]);
@@ -151,7 +149,7 @@ std::vector<DistanceBin> pair_distribution(const ParticleSet& set, const Periodi
     bin.begin = width * static_cast<double>(k);
     bin.end = bin.begin + width;
     const double middle = 0.5 * (bin.begin + bin.end);
-    const double shell = 4.0 / 3.0 * pi * (std::pow(bin.end, 3) - std::pow(bin.begin, 3));
+    const double shell = 4.0 / 3.0 * M_PI * (std::pow(bin.end, 3) - std::pow(bin.begin, 3));
     const double expected =
         0.5 * n * (n - 1.0) * shell * region.at(middle) / (region.volume() * region.volume());
     bin.g = counted[k].pairs / expected;
@@ -217,8 +215,8 @@ std::vector<StructureBin> structure_factor(const ParticleSet& set, const Periodi
   std::array<Vector3, 3> reciprocal;
   for (std::size_t k = 0; k < 3; ++k) {
     reciprocal[k] =
-        (2.0 * pi / cell.volume()) * cross(cell.edge((k + 1) % 3), cell.edge((k + 2) % 3));
-    most[k] = static_cast<int>(highest * norm(cell.edge(k)) / (2.0 * pi));
+        (2.0 * M_PI / cell.volume()) * cross(cell.edge((k + 1) % 3), cell.edge((k + 2) % 3));
+    most[k] = static_cast<int>(highest * norm(cell.edge(k)) / (2.0 * M_PI));
   }
   for (int i = -most[0]; i <= most[0]; ++i)
     for (int j = -most[1]; j <= most[1]; ++j)

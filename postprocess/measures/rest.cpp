@@ -10,14 +10,14 @@ RestCheck check_rest(const ParticleSet& set, const std::vector<std::size_t>& mem
                      double gravity) {
   constexpr double share_of_fall = 0.01;
   RestCheck result;
-  result.is_known = set.has_velocities;
+  result.is_known = static_cast<bool>(set.has_velocities);
+  set.has_spins.require_readable();
   result.speed_limit = share_of_fall * std::sqrt(gravity * mean_smallest_axis(set, members));
   for (const std::size_t i : members) {
     const Particle& p = set.particles[i];
     const double spin = norm(p.angular_velocity), speed = norm(p.velocity);
     result.largest_spin = std::max(result.largest_spin, spin);
     result.largest_speed = std::max(result.largest_speed, speed + p.largest_axis() * spin);
-    result.kinetic_energy += 0.5 * p.mass * speed * speed;
   }
   result.is_at_rest = result.is_known && result.largest_speed < result.speed_limit;
   return result;

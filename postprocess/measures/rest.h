@@ -11,10 +11,9 @@ namespace ellipsoid::post {
 struct RestCheck {
   bool is_known = false; ///< the file holds velocities
   bool is_at_rest = false;
-  double largest_speed = 0.0;  ///< max |v| + a |omega| (length/time)
-  double largest_spin = 0.0;   ///< max |omega| (1/time)
-  double speed_limit = 0.0;    ///< 0.01 sqrt(g b) (length/time)
-  double kinetic_energy = 0.0; ///< sum of m v^2 / 2, translation (energy)
+  double largest_speed = 0.0; ///< max |v| + a |omega| (length/time)
+  double largest_spin = 0.0;  ///< max |omega| (1/time)
+  double speed_limit = 0.0;   ///< 0.01 sqrt(g b) (length/time)
 };
 
 /// At rest: every point of every member is slower than 0.01 sqrt(g b), a hundredth of the speed

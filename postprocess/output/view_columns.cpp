@@ -79,20 +79,21 @@ ViewColumn column_of(const Frame& frame, const ParticleSet& set, const std::stri
 
 std::vector<ViewColumn> view_columns(const Frame& frame, const ParticleSet& set, unsigned up) {
   std::vector<ViewColumn> columns;
-  if (set.has_velocities) {
+  if (set.has_velocities.is_known()) {
     columns.push_back(
         column_of(frame, set, "speed", [](const Particle& p) { return norm(p.velocity); }));
-    if (frame.find("omegax") >= 0)
+    if (set.has_spins.is_known())
       columns.push_back(column_of(frame, set, "spin",
                                   [](const Particle& p) { return norm(p.angular_velocity); }));
   }
   columns.push_back(column_of(frame, set, "angle", angle_in_plane));
   columns.back().is_cyclic = true;
   columns.push_back(column_of(frame, set, "tilt", [up](const Particle& p) { return tilt(p, up); }));
-  columns.push_back(
-      column_of(frame, set, "type", [](const Particle& p) { return static_cast<double>(p.type); }));
+  if (set.has_types.fault().empty())
+    columns.push_back(column_of(frame, set, "type",
+                                [](const Particle& p) { return static_cast<double>(p.type); }));
   for (std::size_t k = 0; k < frame.names.size(); ++k)
-    if (!frame.columns[k].empty() && !is_geometry(frame.names[k]))
+    if (!frame.columns[k].empty() && frame.is_readable(k) && !is_geometry(frame.names[k]))
       columns.push_back(column_of(frame, set, frame.names[k],
                                   [&](const Particle& p) { return frame.columns[k][p.row]; }));
   return columns;

@@ -2,6 +2,7 @@
 #include "view_page.h"
 
 #include "html.h"
+#include "periodic_cell.h"
 #include "view_data.h"
 #include "view_files.h"
 
@@ -40,19 +41,17 @@ std::vector<float> spheres_in_body(const ParticleSet& set, const Particle& p) {
   return spheres;
 }
 
-/// The box as its lower corner and three edges; nothing without a box.
+/// The box as its lower corner, three edges, and which of them repeat; nothing without a box.
 json box_json(const Box& box) {
-  json edges = json::array();
-  bool has_volume = true;
-  for (unsigned k = 0; k < 3; ++k) {
-    std::array<double, 3> edge{};
-    edge[k] = box.upper[k] - box.lower[k];
-    has_volume = has_volume && edge[k] > 0.0;
-    edges.push_back(edge);
+  const PeriodicCell cell(box);
+  json edges = json::array(), repeats = json::array();
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!(norm(cell.edge(k)) > 0.0))
+      return nullptr;
+    edges.push_back(numbers(cell.edge(k)));
+    repeats.push_back(cell.is_periodic(k));
   }
-  if (!has_volume)
-    return nullptr;
-  return {{"origin", {box.lower[0], box.lower[1], box.lower[2]}}, {"edges", edges}};
+  return {{"origin", numbers(cell.corner())}, {"edges", edges}, {"repeats", repeats}};
 }
 
 std::string time_text(const Frame& frame) {
@@ -84,7 +83,9 @@ void ViewSurvey::add(const Frame& frame, const ParticleSet& set) {
     for (unsigned k = 0; k < 3; ++k) {
       m_bounds.lower[k] = std::min(m_bounds.lower[k], component(p.centre, k) - reach);
       m_bounds.upper[k] = std::max(m_bounds.upper[k], component(p.centre, k) + reach);
+      m_places[k].add({component(p.centre, k)});
     }
+    m_largest_axis = std::max(m_largest_axis, reach);
     m_is_planar = m_is_planar && std::abs(p.centre.z - m_plane) <= 1e-6 * reach;
     m_smallest_axis = std::min(m_smallest_axis, p.smallest_axis());
     const double number = template_of(set, p);
@@ -98,6 +99,26 @@ void ViewSurvey::add(const Frame& frame, const ParticleSet& set) {
   }
   add_columns(frame, set);
   ++m_frames;
+}
+
+std::vector<std::string> ViewSurvey::column_names() const {
+  std::vector<std::string> names;
+  for (const ColumnRange& range : m_columns)
+    names.push_back(range.name());
+  return names;
+}
+
+/// The bounds of almost all bodies where strays would make the picture small; else of all.
+Box ViewSurvey::bulk() const {
+  Box bulk = m_bounds;
+  for (unsigned k = 0; k < 3; ++k) {
+    const auto [low, high] = m_places[k].shown();
+    if (low > m_places[k].low() || high < m_places[k].high()) {
+      bulk.lower[k] = low - m_largest_axis;
+      bulk.upper[k] = high + m_largest_axis;
+    }
+  }
+  return bulk;
 }
 
 /// 0 for smooth ellipsoids.
@@ -219,7 +240,7 @@ void ViewPage::add(const Frame& frame, const ParticleSet& set,
                       {"contacts", contacts.size()},
                       {"step", frame.timestep},
                       {"time_text", time_text(frame)},
-                      {"box", box_json(frame.box)}};
+                      {"box", box_json(set.box)}};
   m_frames_json += (m_frames ? "," : "") + about.dump();
   m_data += data_element(fmt::format("frame-{}", m_frames++), packed);
 }
@@ -269,7 +290,8 @@ PackedColumns ViewPage::packed_survey() const {
 }
 
 std::string ViewPage::header_json() const {
-  json templates = json::array(), walls = json::array(), meshes = json::array();
+  json templates = json::array(), walls = json::array(), cylinders = json::array(),
+       meshes = json::array();
   std::size_t first = 0;
   for (const auto& spheres : m_survey.m_spheres) {
     templates.push_back({{"first", first}, {"spheres", spheres}});
@@ -277,9 +299,14 @@ std::string ViewPage::header_json() const {
   }
   for (const ViewWall& wall : m_settings.walls)
     walls.push_back({{"point", numbers(wall.point)}, {"normal", numbers(wall.normal)}});
+  for (const ViewCylinder& cylinder : m_settings.cylinders)
+    cylinders.push_back({{"point", numbers(cylinder.point)},
+                         {"axis", numbers(cylinder.axis)},
+                         {"radius", cylinder.radius}});
   for (const ViewMesh& mesh : m_settings.meshes)
     meshes.push_back({{"name", mesh.name}});
   const auto& bounds = m_survey.m_bounds;
+  const Box bulk = m_survey.bulk();
   const json position = {
       {"bytes", m_is_fine ? 4 : 2}, {"origin", bounds.lower}, {"step", {m_step, m_step, m_step}}};
   const json maps = {{"even", m_settings.even_colours},
@@ -292,11 +319,13 @@ std::string ViewPage::header_json() const {
                        {"length_unit", "length"},
                        {"bodies", m_survey.m_bodies.size()},
                        {"bounds", {{"lower", bounds.lower}, {"upper", bounds.upper}}},
+                       {"bulk", {{"lower", bulk.lower}, {"upper", bulk.upper}}},
                        {"position", position},
                        {"columns", json::parse(columns_json())},
                        {"frames", json::parse("[" + m_frames_json + "]")},
                        {"templates", templates},
                        {"walls", walls},
+                       {"cylinders", cylinders},
                        {"meshes", meshes},
                        {"has_contacts", m_settings.has_contacts},
                        {"has_forces", m_settings.has_forces},

@@ -28,12 +28,18 @@ struct ViewMesh {
   std::vector<float> corners; ///< 9 numbers a triangle (length)
 };
 
+struct ViewCylinder {
+  Vector3 point, axis; ///< axis: unit
+  double radius = 0.0; ///< (length)
+};
+
 using ByteColour = std::array<int, 3>;
 
 struct ViewSettings {
   std::string title, colour_by;
   unsigned up = 2; ///< axis
   std::vector<ViewWall> walls;
+  std::vector<ViewCylinder> cylinders;
   std::vector<ViewMesh> meshes;
   bool has_contacts = false, has_forces = false;
   std::vector<ByteColour> even_colours, cyclic_colours, kind_colours;
@@ -54,6 +60,7 @@ class ViewSurvey {
 
   std::size_t frames() const { return m_frames; }
   bool is_planar() const { return m_is_planar; }
+  std::vector<std::string> column_names() const;
 
  private:
   friend class ViewPage;
@@ -61,12 +68,15 @@ class ViewSurvey {
   using Body = std::array<double, 5>;
 
   void add_columns(const Frame& frame, const ParticleSet& set);
+  Box bulk() const;
   std::uint32_t template_of(const ParticleSet& set, const Particle& p);
 
   unsigned m_up;
   std::size_t m_frames = 0;
   bool m_is_planar = true;
-  double m_plane = 0.0, m_smallest_axis = 0.0;
+  double m_plane = 0.0, m_smallest_axis = 0.0, m_largest_axis = 0.0;
+  std::vector<ColumnRange> m_places =
+      std::vector<ColumnRange>(3, ColumnRange({"place", "", false, {}}));
   Box m_bounds; ///< of all bodies in all frames
   std::map<Body, std::uint32_t> m_bodies;
   std::map<std::vector<long>, std::uint32_t> m_templates; ///< rounded spheres -> number from 1 on

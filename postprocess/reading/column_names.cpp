@@ -30,10 +30,32 @@ NamedColumns::NamedColumns(const Frame& frame, const ColumnNames& names)
     frame.required(column, fmt::format("--column {}={}", name, column));
 }
 
-Column NamedColumns::find(const std::string& name) const {
+/// Number of a column in the frame, or -1.
+std::ptrdiff_t NamedColumns::place_of(const std::string& name) const {
   const auto named = m_names.find(name);
-  const int k = m_frame.find(named == m_names.end() ? name : named->second);
-  return k < 0 ? nullptr : &m_frame.columns[static_cast<std::size_t>(k)];
+  const std::vector<std::string>& there = m_frame.names;
+  const auto found =
+      std::find(there.begin(), there.end(), named == m_names.end() ? name : named->second);
+  return found == there.end() ? -1 : found - there.begin();
+}
+
+Column NamedColumns::find(const std::string& name) const {
+  const std::ptrdiff_t place = place_of(name);
+  if (place < 0)
+    return nullptr;
+  const auto k = static_cast<std::size_t>(place);
+  if (!m_frame.is_readable(k))
+    throw InputError(m_frame.unreadable[k]);
+  return &m_frame.columns[k];
+}
+
+std::string NamedColumns::fault(const std::vector<std::string>& names) const {
+  for (const std::string& name : names) {
+    const std::ptrdiff_t k = place_of(name);
+    if (k >= 0 && !m_frame.is_readable(static_cast<std::size_t>(k)))
+      return m_frame.unreadable[static_cast<std::size_t>(k)];
+  }
+  return "";
 }
 
 VectorColumns NamedColumns::find(const std::string& x, const std::string& y,

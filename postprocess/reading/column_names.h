@@ -5,6 +5,7 @@
 
 #include "frame.h"
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -40,11 +41,17 @@ class NamedColumns {
   /// A column, or null. Throws InputError when it holds something else than numbers.
   Column find(const std::string& name) const;
   VectorColumns find(const std::string& x, const std::string& y, const std::string& z) const;
+  /// Whether there is a column, whatever it holds.
+  bool has(const std::string& name) const { return place_of(name) >= 0; }
+  /// The first value of several columns that is no number, as a message; empty where there is none.
+  std::string fault(const std::vector<std::string>& names) const;
   /// Whether the user named the column.
   bool is_assigned(const std::string& name) const { return m_names.count(name) > 0; }
   const Frame& frame() const { return m_frame; }
 
  private:
+  std::ptrdiff_t place_of(const std::string& name) const;
+
   const Frame& m_frame;
   const ColumnNames& m_names;
 };

@@ -24,13 +24,15 @@ struct Sphere {
 struct Particle {
   std::int64_t id = 0;
   std::int64_t type = 1;
-  double mass = 0.0;        ///< 0 when the file has none
-  Vector3 moments_per_mass; ///< principal, of a clump (length^2); 0: those of its ellipsoid
+  double mass = 0.0;         ///< 0 when the file has none
+  Vector3 principal_moments; ///< about the body's x, y, z (mass length^2), see has_moments
+  Vector3 moments_per_mass;  ///< principal, of a clump (length^2); 0: those of its ellipsoid
   Vector3 centre, velocity, angular_velocity;
   Quaternion orientation;
   Vector3 semiaxes; ///< a, b, c along the body's x, y, z (length); of the circumscribed ellipsoid
   std::size_t first_sphere = 0, sphere_count = 0; ///< 0 spheres: a smooth ellipsoid
-  std::size_t row = 0; ///< of the frame (of the first sphere for host multispheres)
+  bool is_host_body = false; ///< of the host's fix multisphere, or a sphere beside such bodies
+  std::size_t row = 0;       ///< of the frame (of the first sphere for host multispheres)
 
   bool is_smooth() const { return sphere_count == 0; }
   double largest_axis() const;
@@ -39,10 +41,36 @@ struct Particle {
   double smallest_axis() const;
 };
 
+/// Whether a file has a quantity. One that is there but cannot be read stops those who ask for it.
+class Availability {
+ public:
+  Availability(bool is_there = false, std::string fault = "")
+      : m_is_there(is_there), m_fault(std::move(fault)) {}
+  /// Throws InputError where a value is no number.
+  explicit operator bool() const {
+    require_readable();
+    return m_is_there;
+  }
+  /// To be called by who needs the quantity if the file has it.
+  void require_readable() const {
+    if (!m_fault.empty())
+      throw InputError(m_fault);
+  }
+  /// There, and all of it numbers.
+  bool is_known() const { return m_is_there && m_fault.empty(); }
+  const std::string& fault() const { return m_fault; }
+
+ private:
+  bool m_is_there;
+  std::string m_fault; ///< the first value that is no number, as a message
+};
+
 struct ParticleSet {
   std::vector<Particle> particles;
   std::vector<Sphere> spheres; ///< of all multi-sphere particles, a particle's own in one run
-  bool has_velocities = false, has_spins = false;
+  /// Of the host's bodies: ids of the spheres, by which lists of contacts name them.
+  std::vector<std::int64_t> sphere_ids;
+  Availability has_types, has_masses, has_velocities, has_spins, has_moments;
   /// The host's bodies whose mass centre is not known from their spheres (0 where all are symmetric
   /// about a point): their velocities are those of the centroid of the centres.
   std::size_t asymmetric_bodies = 0;

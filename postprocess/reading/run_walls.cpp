@@ -2,8 +2,11 @@
 #include "run_walls.h"
 
 #include "byte_source.h"
+#include "stl_mesh.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
 #include <map>
 #include <sstream>
 
@@ -38,6 +41,7 @@ std::vector<double> numbers_after(const Words& words, const std::string& keyword
 
 struct Found {
   std::map<std::string, PrimitivePlane> planes; ///< by the fix's id
+  std::map<std::string, PrimitiveCylinder> cylinders;
   std::map<std::string, RunMesh> meshes;
 };
 
@@ -56,9 +60,19 @@ void read_mesh(const Words& words, Found& found) {
   found.meshes[mesh.id] = mesh;
 }
 
+/// A mesh file as its command names it, seen from here or from the folder of the log; empty where
+/// it is at neither place.
+std::string present_file(const std::string& name, const std::string& log) {
+  for (const auto& folder : {std::filesystem::path(), std::filesystem::path(log).parent_path()})
+    if (std::filesystem::is_regular_file(folder / name))
+      return (folder / name).string();
+  return "";
+}
+
 void read_command(const Words& words, Found& found) {
   if (words.size() == 2 && words[0] == "unfix") {
     found.planes.erase(words[1]);
+    found.cylinders.erase(words[1]);
     found.meshes.erase(words[1]);
   }
   if (words.size() < 5 || words[0] != "fix")
@@ -70,10 +84,13 @@ void read_command(const Words& words, Found& found) {
       if (const auto moved = found.meshes.find(*(mesh + 1)); moved != found.meshes.end())
         moved->second.moves = true;
   if (words[3].rfind("wall/gran", 0) == 0)
-    for (const unsigned axis : {0u, 1u, 2u})
-      if (const auto place = numbers_after(words, std::string(1, "xyz"[axis]) + "plane", 1);
-          !place.empty())
+    for (const unsigned axis : {0u, 1u, 2u}) {
+      const std::string letter(1, "xyz"[axis]);
+      if (const auto place = numbers_after(words, letter + "plane", 1); !place.empty())
         found.planes[words[1]] = {axis, place[0]};
+      if (const auto c = numbers_after(words, letter + "cylinder", 3); !c.empty())
+        found.cylinders[words[1]] = {axis, c[0], {c[1], c[2]}};
+    }
 }
 
 } // namespace
@@ -98,9 +115,32 @@ RunWalls read_run_walls(const std::string& log) {
   RunWalls walls;
   for (const auto& [id, plane] : found.planes)
     walls.planes.push_back(plane);
+  for (const auto& [id, cylinder] : found.cylinders)
+    walls.cylinders.push_back(cylinder);
   for (const auto& [id, mesh] : found.meshes)
     walls.meshes.push_back(mesh);
   return walls;
+}
+
+std::string why_unknown(const RunMesh& mesh, const std::string& log) {
+  const std::string file = present_file(mesh.file, log);
+  if (mesh.is_turned)
+    return "its command turns it";
+  if (mesh.moves)
+    return "it moves";
+  return file.empty() || std::filesystem::path(file).extension() != ".stl"
+             ? "there is no STL file of this name"
+             : "";
+}
+
+std::vector<std::array<Vector3, 3>> triangles_of(const RunMesh& mesh, const std::string& log) {
+  if (const std::string reason = why_unknown(mesh, log); !reason.empty())
+    throw InputError(fmt::format("mesh {} ({}) of {}: {}", mesh.id, mesh.file, log, reason));
+  auto triangles = read_stl(present_file(mesh.file, log));
+  for (auto& triangle : triangles)
+    for (Vector3& corner : triangle)
+      corner = mesh.scale * corner + Vector3{mesh.shift[0], mesh.shift[1], mesh.shift[2]};
+  return triangles;
 }
 
 } // namespace ellipsoid::post

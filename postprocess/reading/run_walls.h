@@ -1,6 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #pragma once
 
+#include "math/vector3.h"
+
 #include <array>
 #include <string>
 #include <vector>
@@ -11,6 +13,13 @@ namespace ellipsoid::post {
 struct PrimitivePlane {
   unsigned axis = 0;
   double place = 0.0; ///< (length)
+};
+
+/// A cylinder wall of a run about an axis along x, y or z, of infinite length.
+struct PrimitiveCylinder {
+  unsigned axis = 0;
+  double radius = 0.0;            ///< (length)
+  std::array<double, 2> middle{}; ///< coordinates along the two axes that follow (z: x y, y: z x)
 };
 
 /// A surface mesh of a run and how its command changed the file's coordinates.
@@ -24,12 +33,21 @@ struct RunMesh {
 
 struct RunWalls {
   std::vector<PrimitivePlane> planes;
+  std::vector<PrimitiveCylinder> cylinders;
   std::vector<RunMesh> meshes;
 };
 
 /// The walls that the commands of a LIGGGHTS log name: `fix ... wall/gran... primitive ...
-/// xplane|yplane|zplane P` and `fix ID mesh/surface... file NAME`; those taken back by `unfix` left
-/// out. Throws InputError when the log cannot be read.
+/// xplane|yplane|zplane P` or `xcylinder|ycylinder|zcylinder R C1 C2`, and `fix ID mesh/surface...
+/// file NAME`; those taken back by `unfix` left out. Throws InputError when the log cannot be read.
 RunWalls read_run_walls(const std::string& log);
+
+/// Why the triangles of a run's mesh are not known from its file; empty where they are.
+/// @param[in] log of the run: files are looked for from here and from its folder
+std::string why_unknown(const RunMesh& mesh, const std::string& log);
+
+/// The triangles of a run's mesh as they lie in space (length). Throws InputError where they are
+/// not known.
+std::vector<std::array<Vector3, 3>> triangles_of(const RunMesh& mesh, const std::string& log);
 
 } // namespace ellipsoid::post

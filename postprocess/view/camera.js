@@ -21,16 +21,17 @@ function turn_about(axis, angle) {
 }
 
 class Camera {
-  constructor(up, flat) {
+  constructor(up, flat, whole_view) {
     this.up = up;
+    this.whole_view = whole_view;
     this.flat = flat; // everything moves in the plane of x and y: seen from the front
     this.perspective = false;
     this.reset();
   }
 
   reset() {
-    this.target = [0, 0, 0];
-    this.height = 1.08; // half of what is seen at the target
+    this.target = [...this.whole_view.target];
+    this.height = this.whole_view.height; // half of what is seen at the target
     const stand = this.up === "z" ? turn_about([1, 0, 0], -Math.PI / 2) : [1, 0, 0, 0];
     this.turn = this.flat ? [1, 0, 0, 0] : quaternion_product(
         quaternion_product(turn_about([1, 0, 0], 0.42), turn_about([0, 1, 0], -0.55)), stand);

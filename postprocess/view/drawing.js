@@ -151,7 +151,10 @@ class Drawing {
       gl.uniform1i(places.sphere_first, group.sphere_first);
       gl.uniform1i(places.sphere_count, group.sphere_count);
       gl.bindVertexArray(group.array);
-      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, group.members.length * Math.max(1, group.sphere_count));
+      for (const shift of shown.shifts) {
+        gl.uniform3fv(places.shift, shift);
+        gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, group.members.length * Math.max(1, group.sphere_count));
+      }
     }
     gl.bindVertexArray(null);
   }

@@ -23,10 +23,10 @@ class Page {
   constructor(scene, drawing) {
     this.scene = scene;
     this.drawing = drawing;
-    this.camera = new Camera(header.up, header.planar);
+    this.camera = new Camera(header.up, header.planar, scene.whole_view);
     this.column = header.columns.findIndex((column) => column.name === header.colour_by);
     this.cuts = [[0, 1], [0, 1], [0, 1]]; // shares of the bounds along x, y, z
-    this.shown = { particles: true, chains: header.has_forces, walls: true, box: true, selected: -1, colour_range: [0, 1] };
+    this.shown = { particles: true, chains: header.has_forces, images: false, walls: true, box: true, selected: -1, colour_range: [0, 1] };
     this.playing = false;
     this.waiting = null;
   }
@@ -34,6 +34,7 @@ class Page {
   async start() {
     this.drawing.set_spheres(this.scene.sphere_texels());
     for (const wall of header.walls) this.drawing.add_surface(this.scene.plane_triangles(wall), [0.5, 0.56, 0.62, 0.22]);
+    for (const wall of header.cylinders) this.drawing.add_surface(this.scene.cylinder_triangles(wall), [0.5, 0.56, 0.62, 0.22]);
     for (let k = 0; k < header.meshes.length; ++k)
       this.drawing.add_surface(await this.scene.mesh_triangles(k), [0.5, 0.56, 0.62, 0.3]);
     this.fill_panel();
@@ -53,7 +54,8 @@ class Page {
     part("time-box").hidden = header.frames.length < 2;
     part("chains-label").hidden = !header.has_forces;
     part("show-chains").checked = header.has_forces;
-    part("walls-label").hidden = header.walls.length + header.meshes.length === 0;
+    part("images-label").hidden = !header.frames.some(({ box }) => box && box.repeats.includes(true));
+    part("walls-label").hidden = header.walls.length + header.cylinders.length + header.meshes.length === 0;
     for (const [axis, name] of ["x", "y", "z"].entries()) {
       const label = document.createElement("label");
       label.append(name);
@@ -74,7 +76,7 @@ class Page {
     on("play", "click", () => this.play(!this.playing));
     for (const end of ["low", "high"]) on(end, "change", () => this.read_range());
     on("range-reset", "click", () => this.set_colour(this.column));
-    for (const what of ["particles", "chains", "walls", "box"])
+    for (const what of ["particles", "images", "chains", "walls", "box"])
       on("show-" + what, "change", (event) => { this.shown[what] = event.target.checked; this.redraw(); });
     on("perspective", "change", (event) => { this.camera.perspective = event.target.checked; this.redraw(); });
     on("reset", "click", () => { this.camera.reset(); this.redraw(); });
@@ -266,9 +268,15 @@ class Page {
     this.shown.cut_high = at(1);
   }
 
+  set_images() {
+    const shifts = this.scene.image_shifts(this.frame);
+    this.shown.shifts = this.shown.images ? shifts : shifts.slice(0, 1);
+  }
+
   draw_now() {
     this.asked = false;
     this.set_cuts();
+    this.set_images();
     this.drawing.draw(this.camera, this.shown);
     this.name_axes();
   }
@@ -285,6 +293,7 @@ class Page {
 
   pick(x, y) {
     this.set_cuts();
+    this.set_images();
     this.drawing.resize();
     const particle = this.drawing.pick(x, y, this.camera, this.shown);
     this.select(particle < this.frame.count ? particle : -1);

@@ -8,6 +8,9 @@ class Scene {
     const { lower, upper } = header.bounds;
     this.centre = lower.map((low, k) => (low + upper[k]) / 2);
     this.radius = Math.hypot(...lower.map((low, k) => upper[k] - low)) / 2 || 1;
+    const bulk = header.bulk, middle = bulk.lower.map((low, k) => (low + bulk.upper[k]) / 2);
+    const reach = Math.hypot(...bulk.lower.map((low, k) => bulk.upper[k] - low)) / 2 || this.radius;
+    this.whole_view = { target: this.place(middle), height: 1.08 * reach / this.radius }; // strays left out
   }
 
   /// A place in the file's unit, in units of the scene.
@@ -51,21 +54,28 @@ class Scene {
     return groups;
   }
 
-  /// A ribbon from centre to centre for each pair, its area by the force.
-  chains(frame) {
-    const { contacts } = frame, out = [], largest = header.largest_force || 1;
-    const centre = (p) => this.place([0, 1, 2].map((k) => coordinate(frame, k, p)));
-    for (let c = 0; c < contacts.count; ++c) {
-      const from = centre(contacts.i[c]), to = centre(contacts.j[c]);
-      if (Math.hypot(...from.map((x, k) => to[k] - x)) > this.chain_limit(frame, contacts.i[c], contacts.j[c])) continue; // across a periodic face
-      out.push(...from, ...to, 0.5 * this.bodies.c[frame.body[contacts.i[c]]] / this.radius * Math.sqrt(contacts.force[c] / largest));
-    }
-    return new Float32Array(out);
+  /// From the box to itself and its images next to it along the edges that repeat, in units of the scene.
+  image_shifts(frame) {
+    const box = header.frames[frame.number].box, steps = (k) => box && box.repeats[k] ? [0, -1, 1] : [0], shifts = [];
+    for (const i of steps(0)) for (const j of steps(1)) for (const k of steps(2))
+      shifts.push([0, 1, 2].map((axis) => box ? (i * box.edges[0][axis] + j * box.edges[1][axis] + k * box.edges[2][axis]) / this.radius : 0));
+    return shifts;
   }
 
-  chain_limit(frame, i, j) {
-    const reach = (p) => Math.max(this.bodies.a[frame.body[p]], this.bodies.b[frame.body[p]], this.bodies.c[frame.body[p]]);
-    return 1.05 * (reach(i) + reach(j)) / this.radius;
+  /// A ribbon from centre to centre for each pair, its area by the force. Across a face that repeats there are two: from
+  /// each of the particles to the image of the other one.
+  chains(frame) {
+    const { contacts } = frame, out = [], largest = header.largest_force || 1, shifts = this.image_shifts(frame);
+    const centre = (p) => this.place([0, 1, 2].map((k) => coordinate(frame, k, p)));
+    const length = (from, to, shift) => Math.hypot(...from.map((x, k) => to[k] + shift[k] - x));
+    for (let c = 0; c < contacts.count; ++c) {
+      const from = centre(contacts.i[c]), to = centre(contacts.j[c]);
+      const shift = shifts.reduce((best, next) => length(from, to, next) < 0.999999 * length(from, to, best) ? next : best);
+      const width = 0.5 * this.bodies.c[frame.body[contacts.i[c]]] / this.radius * Math.sqrt(contacts.force[c] / largest);
+      out.push(...from, ...to.map((x, k) => x + shift[k]), width);
+      if (shift !== shifts[0]) out.push(...from.map((x, k) => x - shift[k]), ...to, width);
+    }
+    return new Float32Array(out);
   }
 
   /// The box of a frame as lines; with tilts a prism.
@@ -89,6 +99,22 @@ class Scene {
     const v = cross(n, u), point = this.place(wall.point), height = n.reduce((sum, x, k) => sum + x * point[k], 0);
     const at = (s, t) => n.map((x, k) => height * x + 1.05 * (s * u[k] + t * v[k]));
     return new Float32Array([...at(-1, -1), ...at(1, -1), ...at(1, 1), ...at(-1, -1), ...at(1, 1), ...at(-1, 1)]);
+  }
+
+  /// A tube as long as the scene's shadow on its axis.
+  cylinder_triangles(wall) {
+    const sides = 96, n = wall.axis, other = Math.abs(n[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0];
+    const cross = (p, q) => [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
+    const u = cross(n, other).map((x, k, all) => x / Math.hypot(...all)), v = cross(n, u);
+    const point = this.place(wall.point), height = n.reduce((sum, x, k) => sum + x * point[k], 0), radius = wall.radius / this.radius;
+    const at = (side, end) => {
+      const angle = 2 * Math.PI * side / sides, c = radius * Math.cos(angle), s = radius * Math.sin(angle);
+      return n.map((x, k) => point[k] + (1.05 * end - height) * x + c * u[k] + s * v[k]);
+    };
+    const out = [];
+    for (let k = 0; k < sides; ++k)
+      out.push(...at(k, -1), ...at(k + 1, -1), ...at(k + 1, 1), ...at(k, -1), ...at(k + 1, 1), ...at(k, 1));
+    return new Float32Array(out);
   }
 
   async mesh_triangles(number) {

@@ -16,6 +16,7 @@ layout(location = 0) in uint particle;
 uniform sampler2D bodies;   // three texels each: centre and value; quaternion; semi-axes and scale
 uniform sampler2D spheres;  // centre and radius in units of the scale
 uniform int sphere_first, sphere_count; // 0: smooth
+uniform vec3 shift;         // to an image
 flat out vec3 centre, row_x, row_y, row_z;
 flat out float value;
 flat out uint which;
@@ -52,7 +53,7 @@ void main() {
     middle += body * (sphere.xyz * scale);
     size = vec3(sphere.w * scale);
   }
-  centre = seen(middle);
+  centre = seen(middle + shift);
   value = first.w;
   which = particle;
   mat3 axes = turn * body;

@@ -15,7 +15,7 @@ import numpy as np
 from _synthetic import A, B, post, rows_of
 
 sys.path.insert(0, os.path.join(os.environ["ELLIPSOID_SOURCE"], "tests", "engine"))
-from _engine import LAW, Particle, Setup, quaternion_of, run  # noqa: E402
+from _engine import LAW, Particle, Setup, quaternion_of, run, thermo  # noqa: E402
 
 STEPS = 60000
 WIDTH = 0.035  # of the container (m)
@@ -194,7 +194,43 @@ def check_host_template():
     assert orientation["subspheres"] == "5", orientation
 
 
+FACE = "solid face\n" + "".join(
+    "facet normal 0 0 1\nouter loop\n" + "".join(f"vertex {x} {y} 0.0\n" for x, y in corners) + "endloop\nendfacet\n"
+    for corners in (((-0.02, -0.02), (0.02, -0.02), (-0.02, 0.02)), ((0.02, -0.02), (0.02, 0.02), (-0.02, 0.02)))) + "endsolid face\n"
+
+
+def check_flow():
+    """Bodies that fall and collide above an opening: number and mass through it as fix massflow/mesh counts them."""
+    with open("face.stl", "w", encoding="ascii") as file:
+        file.write(FACE)
+    random, steps, step = np.random.default_rng(7), 20000, 1e-5
+    particles = [Particle((0.007 * (k % 5) - 0.014, 0.007 * (k // 5 % 5) - 0.014, 0.004 + 0.007 * (k // 25)),
+                          (2.7e-3, 1.5e-3, 1.15e-3), quaternion_of(random.normal(size=3), random.uniform(0, math.pi)),
+                          tuple(random.normal(0, 0.15, 3)), mass=random.uniform(1e-5, 3e-5)) for k in range(75)]
+    run(Setup(box=(-0.06, 0.06, -0.06, 0.06, -0.3, 0.06), boundary="m m m", time_step=step).with_particles(particles) + f"""
+fix motion all nve/ellipsoid
+fix weight all gravity 9.81 vector 0 0 -1
+fix cad all mesh/surface/planar file face.stl type 1
+fix flux all massflow/mesh mesh cad count once vec_side 0 0 -1
+dump d all custom 250 fall.dump id type mass x y z quat1 quat2 quat3 quat4 shapex shapey shapez
+dump_modify d sort id format "%d %d {"%.16g " * 11}"
+thermo 250
+thermo_style custom step f_flux[1] f_flux[2]
+thermo_modify norm no lost ignore format float %.12g
+run {steps}
+""", name="in.flow")
+    counted = thermo("log.in.flow", 3)
+    rows = rows_of("flow", "fall.dump", "--face", "face.stl", "--dt", step)
+    mass, number = np.cumsum([[float(r["mass_backward_kg"]), float(r["backward"])] for r in rows], axis=0).T
+    assert number[-1] > 40 and all(int(r["forward"]) == 0 for r in rows), number
+    # the host looks every step, the tools between frames: the same at each frame
+    assert [int(n) for n in number] == [int(n) for n in counted[1:, 2]], (number, counted[:, 2])
+    assert np.abs(mass - counted[1:, 1]).max() < 1e-9 * mass[-1], (mass, counted[:, 1])
+    print(f"flow: {int(number[-1])} of 75 bodies, {mass[-1]:.6g} kg through the face in {len(rows)} frames, as the host counts them")
+
+
 def main():
+    check_flow()
     check_host_template()
     with_vtk = os.environ["ELLIPSOID_VTK"] == "1"
     simulate("smooth", "smooth", 2, VTK_DUMPS if with_vtk else "")

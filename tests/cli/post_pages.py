@@ -31,8 +31,10 @@ def main():
         assert options, name
         for option in options:
             assert option == "--help" or option in text or option in shared, (name, option)
-    pages = {file[:-3] for file in os.listdir(PAGES) if file.endswith(".md")} - {"README", "comparison"}
+    pages = {file[:-3] for file in os.listdir(PAGES) if file.endswith(".md")} - {"README", "comparison", "python"}
     assert pages == set(names), pages ^ set(names)
+    for name in names:
+        assert f"[{name}]({name}.md)" in page("comparison"), name
 
 
 main()

@@ -238,10 +238,75 @@ def check_chains_and_walls(folder):
     assert "with 15" in answer["lines"], answer["lines"]  # with particle 1: a force of 5
 
 
+def periodic_scene(folder):
+    """A bulk of balls that repeats along a tilted edge, two of them touching through the face, two strays far away, and a
+    cylinder wall in the log."""
+    rows, edge, tilt = [], 1e-2, 3e-3  # edges (edge, 0, 0) and (tilt, edge, 0), which does not repeat
+    places = [(0.4e-3, 5e-3), (9.6e-3, 5e-3)] + [(1.5e-3 + 1e-3 * (k % 7), 1e-3 + 4e-5 * k) for k in range(200)]
+    for k, (x, y) in enumerate(places + [(0.0, 3.0), (0.0, -3.0)]):
+        z = 0.0 if k < 2 else 5e-3
+        rows.append(dict(zip(COLUMNS, (k + 1, 1, 1e-5, x, y, z, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, *(0.5e-3,) * 3, 0, 0.0))))
+    text = frame_text(7, rows, COLUMNS)
+    head, rest = text.split("ITEM: BOX BOUNDS", 1)
+    rest = rest[rest.index("ITEM: ATOMS"):]
+    box = f"ITEM: BOX BOUNDS xy xz yz pp ff ff\n0 {edge + tilt} {tilt}\n0 {edge} 0\n-0.001 0.006 0\n"
+    (folder / "wrapped").mkdir()
+    (folder / "wrapped" / "bed.dump").write_text(head + box + rest)
+    (folder / "wrapped" / "log.run").write_text("fix c all wall/gran/ellipsoid model hertz primitive type 1 ycylinder 0.002 0.0 0.005\n")
+    (folder / "wrapped" / "bed.local").write_text(
+        "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ENTRIES\n1\nITEM: BOX BOUNDS pp ff ff\n0 1\n0 1\n0 1\nITEM: ENTRIES i j fx fy fz\n1 2 1.0 0 0\n")
+    return folder / "wrapped" / "bed.dump", edge, tilt
+
+
+def check_images_and_first_view(folder):
+    dump, edge, tilt = periodic_scene(folder)
+    page = folder / "periodic.html"
+    post("view", dump, "-o", page, "--contacts", dump.with_suffix(".local"), "--id-columns", "i", "j", "--force-columns", "fx", "fy", "fz")
+    answer = ask(page, """
+        const { camera, shown, drawing } = page, places = (points) => points.map((point) => page.page_place(point));
+        answer.size = [drawing.canvas.clientWidth, drawing.canvas.clientHeight];
+        answer.first = [...Array(204).keys()].map((k) => page.project(k + 1));
+        answer.box = header.frames[0].box;
+        camera.turn = [1, 0, 0, 0]; shown.box = false; shown.walls = false; shown.chains = false; page.set_theme("light");
+        const [image, beyond] = places([[%(edge)s + 0.4e-3, 5e-3, 0], [9.4e-3 - %(edge)s, 5e-3, 0]]);
+        page.draw_now();
+        answer.without = [page.pixel(...image), page.pick(...image)];
+        shown.images = true;
+        page.draw_now();
+        answer.with_images = [page.pick(...image), page.pick(...beyond)];
+        shown.images = false; shown.particles = false; shown.chains = true;
+        page.select(-1);
+        page.draw_now();
+        answer.chain = places([[%(edge)s, 5e-3, 0], [0, 5e-3, 0], [5e-3, 5e-3, 0]]).map((place) => page.pixel(...place));
+        shown.chains = false; shown.walls = true;
+        page.draw_now(); // the cylinder along y, about x = 0.005, z = 0: from x = 0.003 to 0.007
+        answer.tube = places([[3.2e-3, 5e-3, 0], [6.8e-3, 5e-3, 0], [2.8e-3, 5e-3, 0], [7.2e-3, 5e-3, 0]]).map((place) => page.pixel(...place));
+        answer.shown = !document.getElementById("images-label").hidden;
+        """ % {"edge": edge}, folder, SIZE)
+    assert answer["complaints"] == [], answer["complaints"]
+    width, height = answer["size"]
+    bulk = np.array(answer["first"][:202])
+    assert (bulk > 0).all() and (bulk < (width, height)).all(), bulk
+    assert np.ptp(bulk, axis=0).max() > 0.3 * height, np.ptp(bulk, axis=0)  # strays do not make it small
+    assert all(not 0 < y < height for _, y in answer["first"][202:]), answer["first"][202:]
+    assert answer["box"]["repeats"] == [True, False, False]
+    assert np.allclose(answer["box"]["edges"], [[edge, 0, 0], [tilt, edge, 0], [0, 0, 7e-3]], atol=1e-12), answer["box"]
+    assert answer["without"] == [[255, 255, 255], None], answer["without"]
+    assert answer["with_images"] == [1, 2], answer["with_images"]
+    for place in answer["chain"][:2]:
+        assert place[0] > 150 and place[2] < 60, answer["chain"]
+    assert answer["chain"][2] == [255, 255, 255], answer["chain"]
+    for place in answer["tube"][:2]:
+        assert max(place) < 250, answer["tube"]
+    assert answer["tube"][2:] == [[255, 255, 255]] * 2, answer["tube"]
+    assert answer["shown"]
+
+
 def check_refusals(folder):
     made = folder / "made.dump"
     for arguments, words in (((made, "-o", folder / "x.txt"), ".html"),
                              ((made, "-o", folder / "x.html", "--mesh", made), "STL"),
+                             ((made, "-o", folder / "x.html", "--colour", "warmth"), "warmth"),
                              ((folder / "absent.dump", "-o", folder / "x.html"), "absent.dump")):
         _, error = post("view", *arguments, expect=None)
         assert words in error and error.count("\n") <= 3, (arguments, error)
@@ -253,6 +318,7 @@ def main():
     print(f"seed {SEED}")
     check_page(folder, np.random.default_rng(SEED))
     check_chains_and_walls(folder)
+    check_images_and_first_view(folder)
     check_refusals(folder)
 
 

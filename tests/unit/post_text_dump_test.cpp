@@ -403,7 +403,7 @@ TEST(Particles, clumps_have_the_spheres_of_their_file_in_their_size) {
         moment += inside ? cell * cell * cell * (d.x * d.x + d.y * d.y) : 0.0;
       }
   EXPECT_NEAR(body_volume(set, p) / volume, 1.0, 2e-3);
-  const SymmetricMatrix3 inertia = body_inertia(p, 3.0);
+  const SymmetricMatrix3 inertia = body_inertia(set, p, 3.0);
   EXPECT_NEAR(inertia.zz / (3.0 * moment / volume), 1.0, 2e-3);
   EXPECT_NEAR(inertia.xy, 0.0, 1e-12);
   EXPECT_NEAR(*energy(set, {}).rotation / (0.5 * inertia.zz * 4.0), 1.0, 1e-12);

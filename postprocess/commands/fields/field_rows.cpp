@@ -1,6 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "field_rows.h"
 
+#include <algorithm>
+
 namespace ellipsoid::post {
 namespace {
 
@@ -44,12 +46,14 @@ std::vector<FieldColumn> columns_of(const Fields& f, const KnownFields& known) {
   return columns;
 }
 
-std::string key_of(const FieldColumn& column, const std::string& component) {
+/// "velocity", "x", "m_per_s" and perhaps "standard_error" to one key, the unit last.
+std::string key_of(const FieldColumn& column, const std::string& component,
+                   const std::string& what = "") {
   std::string key = column.name;
-  for (char& letter : key)
-    letter = letter == ' ' ? '_' : letter;
-  return key + (component.empty() ? "" : "_" + component) +
-         (column.unit_key.empty() ? "" : "_" + column.unit_key);
+  for (const std::string& part : {component, what, column.unit_key})
+    key += part.empty() ? "" : "_" + part;
+  std::replace(key.begin(), key.end(), ' ', '_');
+  return key;
 }
 
 std::string component_name(std::size_t count, std::size_t k, const ComponentNames& names) {
@@ -67,6 +71,25 @@ void append_fields(Row& row, const Fields& fields, const KnownFields& known,
       row.push_back({key_of(column, component),
                      column.name + (component.empty() ? "" : " " + component), column.unit,
                      is_known ? Value(column.components[k]) : Value()});
+    }
+}
+
+std::vector<double> field_numbers(const Fields& fields, const KnownFields& known) {
+  std::vector<double> numbers;
+  for (const FieldColumn& column : columns_of(fields, known))
+    numbers.insert(numbers.end(), column.components.begin(), column.components.end());
+  return numbers;
+}
+
+void append_field_errors(Row& row, const KnownFields& known, const ComponentNames& names,
+                         const std::vector<double>& errors) {
+  std::size_t n = 0;
+  for (const FieldColumn& column : columns_of({}, known))
+    for (std::size_t k = 0; k < column.components.size(); ++k, ++n) {
+      const std::string component = component_name(column.components.size(), k, names);
+      const std::string name = column.name + (component.empty() ? "" : " " + component);
+      row.push_back({key_of(column, component, "standard_error"), name + ", standard error",
+                     column.unit, n < errors.size() ? Value(errors[n]) : Value()});
     }
 }
 

@@ -23,6 +23,14 @@ using ComponentNames = std::array<std::string, 3>;
 void append_fields(Row& row, const Fields& fields, const KnownFields& known,
                    const ComponentNames& names);
 
+/// All numbers of the quantities, in their order.
+std::vector<double> field_numbers(const Fields& fields, const KnownFields& known);
+
+/// Columns with the standard error of each quantity ("..._standard_error_UNIT").
+/// @param[in] errors in the order of field_numbers(); empty: not known
+void append_field_errors(Row& row, const KnownFields& known, const ComponentNames& names,
+                         const std::vector<double>& errors);
+
 /// The few that people look at first.
 void append_main_fields(Row& row, const Fields& fields, const KnownFields& known,
                         const ComponentNames& names);

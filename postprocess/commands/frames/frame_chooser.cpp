@@ -38,6 +38,9 @@ int FrameChooser::read(const std::vector<std::string>& files) {
     hand_over(m_last);
   }
   collect_all();
+  if (m_repeated > 0)
+    report_error(fmt::format("{}: the same in {} more {}", m_run, m_repeated,
+                             m_repeated == 1 ? "frame" : "frames"));
   if (m_chosen == 0 && m_code == exit_good) {
     report_error(no_frame());
     m_code = exit_bad_data;
@@ -143,6 +146,7 @@ void FrameChooser::measure(const Frame& frame, Outcome& outcome) const {
     outcome.collect = m_measure({m_run, frame, set});
   } catch (const InputError& error) {
     const std::string what = error.what();
+    outcome.reason = what;
     const bool names_place = what.find(frame.place.file) != std::string::npos;
     outcome.error = names_place ? what
                                 : fmt::format("{}: frame {} (time step {}): {}", frame.place.file,
@@ -159,7 +163,10 @@ void FrameChooser::finish(const Outcome& outcome) {
     outcome.collect();
   if (outcome.error.empty())
     return;
-  report_error(outcome.error);
+  if (outcome.reason.empty() || m_reasons.insert(outcome.reason).second)
+    report_error(outcome.error);
+  else
+    ++m_repeated;
   m_code = exit_bad_data;
   m_is_unreadable = outcome.is_unreadable;
   m_is_done = m_is_done || m_is_unreadable;

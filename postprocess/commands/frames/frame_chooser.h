@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,7 @@ class FrameChooser {
  private:
   /// What became of a frame: an error message, or what to do with its measures.
   struct Outcome {
-    std::string error;
+    std::string error, reason; ///< the reason is the error without its place
     Collect collect;
     bool is_unreadable = false; ///< what follows in the file does not count
     std::vector<Warning> warnings;
@@ -69,6 +70,8 @@ class FrameChooser {
   std::int64_t m_first_step = 0, m_last_step = 0;     ///< of the frames that were seen
   std::deque<Waiting> m_waiting;              ///< frames that are being measured, oldest first
   std::vector<std::unique_ptr<Frame>> m_free; ///< whose memory is used again
+  std::set<std::string> m_reasons;            ///< of errors that were reported
+  std::size_t m_repeated = 0;                 ///< errors for a reason that was reported already
   int m_code = exit_good;
 };
 

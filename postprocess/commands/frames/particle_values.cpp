@@ -17,6 +17,7 @@ bool ends_with(const std::string& text, const std::string& ending) {
 
 std::string csv_text(const ChosenFrame& chosen, const std::vector<ParticleValues>& columns) {
   Table table{"Particles", {}};
+  chosen.set.has_types.require_readable();
   for (std::size_t i = 0; i < chosen.set.particles.size(); ++i) {
     const Particle& p = chosen.set.particles[i];
     Row row = frame_row(chosen);

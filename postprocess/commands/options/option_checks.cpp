@@ -19,4 +19,11 @@ CLI::Validator check_by(std::function<void(const std::string&)> parse) {
       "");
 }
 
+void refuse_without_effect(const CLI::App& command, const std::vector<std::string>& options,
+                           const std::string& reason) {
+  for (const std::string& name : options)
+    if (command.get_option(name)->count() > 0)
+      throw CLI::ValidationError(name, "has no effect " + reason + ": leave it out");
+}
+
 } // namespace ellipsoid::post

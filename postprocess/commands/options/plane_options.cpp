@@ -2,10 +2,9 @@
 #include "plane_options.h"
 
 namespace ellipsoid::post {
-namespace {
 
-/// What of the free surface the angle of repose is fitted to.
-void add_fit_options(CLI::App& command, PileOptions& options) {
+void add_fit_options(CLI::App& command, PlaneOptions& plane) {
+  PileOptions& options = plane.pile;
   command
       .add_option("--cut-bottom", options.cut_bottom,
                   "share of the height left out of the fit at the bottom")
@@ -23,16 +22,13 @@ void add_fit_options(CLI::App& command, PileOptions& options) {
       ->capture_default_str();
 }
 
-} // namespace
-
 void add_plane_options(CLI::App& command, PlaneOptions& options) {
-  command.add_option("--wall", options.wall, "abscissa x of the wall on the left")
-      ->capture_default_str();
-  command.add_flag("--no-wall", options.no_wall, "a free, two-sided pile");
+  auto* wall = command.add_option("--wall", options.wall, "abscissa x of the wall on the left");
+  wall->capture_default_str();
+  command.add_flag("--no-wall", options.no_wall, "a free, two-sided pile")->excludes(wall);
   command.add_option("--floor", options.pile.floor, "ordinate y of the floor")
       ->capture_default_str();
   command.add_option("--section", options.pile.section, "z of the plane (default: mean z)");
-  add_fit_options(command, options.pile);
   command
       .add_option("--cluster-gap", options.pile.cluster_gap,
                   "particles this close (in b) belong to one pile")

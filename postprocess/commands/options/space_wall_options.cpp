@@ -2,6 +2,7 @@
 #include "space_wall_options.h"
 
 #include "input_error.h"
+#include "run_walls.h"
 #include "stl_mesh.h"
 
 #include <fmt/format.h>
@@ -81,6 +82,27 @@ std::vector<SpaceWall> space_walls(const SpaceWallOptions& options) {
         corner *= options.mesh_scale;
     walls.push_back(std::move(wall));
   }
+  return walls;
+}
+
+std::vector<SpaceWall> walls_of_log(const std::string& log) {
+  const RunWalls named = read_run_walls(log);
+  const auto unit = [](unsigned axis) {
+    return Vector3{axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
+  };
+  std::vector<SpaceWall> walls;
+  for (const PrimitivePlane& plane : named.planes)
+    walls.push_back(SheetWall{plane.place * unit(plane.axis), unit(plane.axis)});
+  for (const PrimitiveCylinder& c : named.cylinders)
+    walls.push_back(
+        CylinderWall{c.middle[0] * unit((c.axis + 1) % 3) + c.middle[1] * unit((c.axis + 2) % 3),
+                     unit(c.axis), c.radius});
+  for (const RunMesh& mesh : named.meshes)
+    walls.push_back(MeshWall{triangles_of(mesh, log)});
+  if (walls.empty())
+    throw InputError(log +
+                     ": expected walls (fix wall/gran... with a plane, a cylinder or meshes), "
+                     "found none");
   return walls;
 }
 

@@ -18,6 +18,10 @@ struct SpaceWallOptions {
 /// Adds --plane-wall, --cylinder-wall, --box-wall and --mesh-wall.
 void add_space_wall_options(CLI::App& command, SpaceWallOptions& options);
 
+/// The walls of a run as its log names them: planes, cylinders and meshes that rest.
+/// Throws InputError for a log without walls, and meshes that are not known from their files.
+std::vector<SpaceWall> walls_of_log(const std::string& log);
+
 /// The walls. Throws InputError for normals and axes of length 0, and empty boxes.
 std::vector<SpaceWall> space_walls(const SpaceWallOptions& options);
 

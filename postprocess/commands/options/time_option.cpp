@@ -11,6 +11,8 @@ void add_time_option(CLI::App& command, double& time_step) {
 }
 
 std::optional<double> time_of(const Frame& frame, double time_step) {
+  if (frame.time && time_step > 0.0)
+    throw InputError("--dt is for files that do not state the time; this one does: leave it out");
   if (frame.time)
     return frame.time;
   if (time_step > 0.0)

@@ -28,11 +28,13 @@ struct ShownMesh {
 
 struct RunSurfaces {
   std::vector<PrimitivePlane> planes;
+  std::vector<PrimitiveCylinder> cylinders;
   std::vector<ShownMesh> meshes;
 };
 
-/// The meshes that the user names; and unless `without_log` the planes of the log, and its meshes
-/// where the user names none. A warning names meshes of the log that cannot be shown as they lie.
+/// The meshes that the user names; and unless `without_log` planes and cylinders of the log, and
+/// its meshes where the user names none. A warning names meshes of the log that cannot be shown as
+/// they lie.
 /// @param[in] dump a file of the run
 RunSurfaces run_surfaces(const RunSurfaceOptions& options, const std::string& dump,
                          bool without_log);

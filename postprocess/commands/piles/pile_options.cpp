@@ -1,6 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "pile_options.h"
 
+#include "option_checks.h"
+
 #include "measure_rows.h"
 
 namespace ellipsoid::post {
@@ -21,6 +23,11 @@ void add_coordination_options(CLI::App& command, PileCommandOptions& options) {
                   "particles this close (in b) count as touching")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
+}
+
+void refuse_idle_margin(const CLI::App& command, const PileCommandOptions& options) {
+  if (options.region != "core")
+    refuse_without_effect(command, {"--margin"}, "without --region core");
 }
 
 PorosityOptions porosity_settings(const PileCommandOptions& options) {

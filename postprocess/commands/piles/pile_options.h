@@ -25,6 +25,9 @@ struct PileCommandOptions {
 void add_porosity_options(CLI::App& command, PileCommandOptions& options);
 void add_coordination_options(CLI::App& command, PileCommandOptions& options);
 
+/// Refuses --margin without --region core.
+void refuse_idle_margin(const CLI::App& command, const PileCommandOptions& options);
+
 PorosityOptions porosity_settings(const PileCommandOptions& options);
 CoordinationOptions coordination_settings(const PileCommandOptions& options,
                                           const PileOptions& pile, double mean_b);

@@ -1,0 +1,87 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "field_blocks.h"
+
+#include <cmath>
+
+namespace ellipsoid::post {
+namespace {
+
+void add_to(std::vector<FieldSums>& to, const std::vector<FieldSums>& more) {
+  to.resize(more.size(), FieldSums{});
+  for (std::size_t n = 0; n < more.size(); ++n)
+    for (std::size_t k = 0; k < field_size; ++k)
+      to[n][k] += more[n][k];
+}
+
+} // namespace
+
+void FieldBlocks::add(const std::vector<FieldSums>& frame) {
+  constexpr std::size_t most_blocks = 40;
+  if (m_blocks.empty() || (m_keeps_blocks && m_blocks.back().frames == m_frames_in_block)) {
+    if (m_blocks.size() == most_blocks)
+      join_neighbours();
+    m_blocks.emplace_back();
+  }
+  add_to(m_blocks.back().sums, frame);
+  ++m_blocks.back().frames;
+}
+
+void FieldBlocks::join_neighbours() {
+  std::vector<Block> joined(m_blocks.size() / 2);
+  for (std::size_t b = 0; b < joined.size(); ++b)
+    for (const std::size_t part : {2 * b, 2 * b + 1}) {
+      add_to(joined[b].sums, m_blocks[part].sums);
+      joined[b].frames += m_blocks[part].frames;
+    }
+  m_blocks = std::move(joined);
+  m_frames_in_block *= 2;
+}
+
+std::size_t FieldBlocks::frames() const {
+  std::size_t sum = 0;
+  for (const Block& block : m_blocks)
+    sum += block.frames;
+  return sum;
+}
+
+FieldSums FieldBlocks::mean(std::size_t place) const {
+  FieldSums mean{};
+  for (const Block& block : m_blocks)
+    for (std::size_t k = 0; k < field_size; ++k)
+      mean[k] += block.sums[place][k];
+  for (double& value : mean)
+    value /= static_cast<double>(frames());
+  return mean;
+}
+
+std::vector<double> FieldBlocks::standard_errors(
+    std::size_t place, const std::function<std::vector<double>(const FieldSums&)>& numbers) const {
+  if (m_blocks.size() < 2)
+    return {};
+  const double count = static_cast<double>(m_blocks.size()), all = static_cast<double>(frames());
+  const FieldSums mean_of_all = mean(place);
+  const std::vector<double> whole = numbers(mean_of_all);
+  std::vector<std::vector<double>> left_out;
+  for (const Block& block : m_blocks) {
+    const double m = static_cast<double>(block.frames);
+    FieldSums rest{};
+    for (std::size_t k = 0; k < field_size; ++k)
+      rest[k] = (all * mean_of_all[k] - block.sums[place][k]) / (all - m);
+    left_out.push_back(numbers(rest));
+  }
+  std::vector<double> errors(whole.size(), 0.0);
+  for (std::size_t n = 0; n < whole.size(); ++n) {
+    double centre = count * whole[n];
+    for (std::size_t b = 0; b < m_blocks.size(); ++b)
+      centre -= (1.0 - static_cast<double>(m_blocks[b].frames) / all) * left_out[b][n];
+    for (std::size_t b = 0; b < m_blocks.size(); ++b) {
+      const double h = all / static_cast<double>(m_blocks[b].frames);
+      const double pseudo_value = h * whole[n] - (h - 1.0) * left_out[b][n];
+      errors[n] += (pseudo_value - centre) * (pseudo_value - centre) / (h - 1.0) / count;
+    }
+    errors[n] = std::sqrt(errors[n]);
+  }
+  return errors;
+}
+
+} // namespace ellipsoid::post

@@ -1,0 +1,43 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#pragma once
+
+#include "field_targets.h"
+
+#include <functional>
+#include <vector>
+
+namespace ellipsoid::post {
+
+/// Sums of fields over the frames of a series, kept in blocks of frames that follow each other: the
+/// mean over all frames, and how well it is known. Frames near each other are alike; blocks much
+/// less so. Memory: 20 to 40 blocks, however many frames there are (`keeps_blocks`), or one.
+class FieldBlocks {
+ public:
+  explicit FieldBlocks(bool keeps_blocks) : m_keeps_blocks(keeps_blocks) {}
+  void add(const std::vector<FieldSums>& frame);
+
+  std::size_t frames() const;
+  std::size_t places() const { return m_blocks.empty() ? 0 : m_blocks.front().sums.size(); }
+  /// Mean over the frames at one place.
+  FieldSums mean(std::size_t place) const;
+
+  /// Standard errors of numbers that are made of the mean at one place: the jackknife over blocks
+  /// of unequal numbers of frames (Busing, Meijer, van der Leeden 1999, Statistics and Computing 9,
+  /// 3-8). Empty for less than two blocks.
+  std::vector<double>
+  standard_errors(std::size_t place,
+                  const std::function<std::vector<double>(const FieldSums&)>& numbers) const;
+
+ private:
+  struct Block {
+    std::size_t frames = 0;
+    std::vector<FieldSums> sums;
+  };
+  void join_neighbours();
+
+  bool m_keeps_blocks;
+  std::size_t m_frames_in_block = 1; ///< of all blocks but the last
+  std::vector<Block> m_blocks;
+};
+
+} // namespace ellipsoid::post

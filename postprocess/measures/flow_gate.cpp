@@ -1,0 +1,86 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "flow_gate.h"
+
+#include "wall/triangle_contact.h"
+
+#include <cmath>
+#include <utility>
+
+namespace ellipsoid::post {
+namespace {
+
+struct Point2 {
+  double u = 0.0, v = 0.0;
+};
+
+double area_of(const Point2& a, const Point2& b, const Point2& p) { ///< twice, left of a -> b: > 0
+  return (b.u - a.u) * (p.v - a.v) - (b.v - a.v) * (p.u - a.u);
+}
+
+/// Which side of the edge a -> b a point is on, the same number with the other sign for b -> a.
+double side_of(const Point2& a, const Point2& b, const Point2& p) {
+  const bool is_turned = b.u < a.u || (b.u == a.u && b.v < a.v);
+  return is_turned ? -area_of(b, a, p) : area_of(a, b, p);
+}
+
+/// Whether a point lies in a triangle, counter-clockwise; of two triangles that share an edge one
+/// has it: that to whose left it goes down, or level to the left.
+bool lies_in(const std::array<Point2, 3>& corners, const Point2& p) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point2 &a = corners[k], &b = corners[(k + 1) % 3];
+    const double side = side_of(a, b, p);
+    const bool has_edge = b.v < a.v || (b.v == a.v && b.u < a.u);
+    if (side < 0.0 || (side == 0.0 && !has_edge))
+      return false;
+  }
+  return true;
+}
+
+/// Seen along the axis that is nearest to the normal.
+bool lies_in(const Triangle& triangle, const Vector3& normal, const Vector3& place) {
+  const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
+  const auto seen = [&](const Vector3& r) {
+    return z >= x && z >= y ? Point2{r.x, r.y} : y >= x ? Point2{r.z, r.x} : Point2{r.y, r.z};
+  };
+  std::array<Point2, 3> corners{seen(triangle[0]), seen(triangle[1]), seen(triangle[2])};
+  if (area_of(corners[0], corners[1], corners[2]) < 0.0)
+    std::swap(corners[1], corners[2]);
+  return lies_in(corners, seen(place));
+}
+
+/// Of a way with a plane, which belongs to its upper side.
+std::optional<GateCrossing> plane_crossing(const Vector3& point, const Vector3& normal,
+                                           const Vector3& from, const Vector3& to) {
+  const double before = dot(from - point, normal), after = dot(to - point, normal);
+  if ((before < 0.0) == (after < 0.0))
+    return {};
+  const double share = before / (before - after);
+  return GateCrossing{after < 0.0 ? -1 : 1, share, from + share * (to - from), normal};
+}
+
+} // namespace
+
+bool FlowGate::holds(const Vector3& place) const {
+  if (!radius)
+    return true;
+  const Vector3 d = place - point;
+  return norm(d - dot(d, normal) * normal) <= *radius;
+}
+
+std::vector<GateCrossing> crossings(const FlowGate& gate, const Vector3& from, const Vector3& to) {
+  std::vector<GateCrossing> found;
+  for (const Triangle& triangle : gate.triangles) {
+    const Vector3 normal = unit_normal(triangle);
+    const auto crossing = plane_crossing(triangle[0], normal, from, to);
+    if (crossing && lies_in(triangle, normal, crossing->place))
+      found.push_back(*crossing);
+  }
+  if (!gate.triangles.empty())
+    return found;
+  const auto crossing = plane_crossing(gate.point, gate.normal, from, to);
+  if (crossing && gate.holds(crossing->place))
+    found.push_back(*crossing);
+  return found;
+}
+
+} // namespace ellipsoid::post
