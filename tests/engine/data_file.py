@@ -59,6 +59,21 @@ class DataFile(unittest.TestCase):
         for k, p in enumerate(self.particles, 1):
             np.testing.assert_array_equal([float(t) for t in rows[k][13:16]], p.moments)
 
+    def test_sub_spheres_that_cannot_be_are_refused(self):
+        """Under surface smooth as well, which does not look at them."""
+        for columns, axes, pattern in (("5 3", (2e-3, 1e-3, 1e-3), "spacing is 3, which is for N = 3, and N is 5"),
+                                       ("4 0", (2e-3, 1e-3, 1e-3), "N is 4, allowed are 0 and odd numbers"),
+                                       ("5 1", (2e-3, 1e-3, 9e-4), "N is 5, and b and c differ; allowed is 0"),
+                                       ("3 3", (2e-3, 1e-3, 1e-3), None), ("0 3", (3e-3, 2e-3, 1e-3), None)):
+            script = Setup().with_particles([Particle((0, 0, 0), axes)], "chain.data") + "run 0\n"
+            head, row, *rest = Path("chain.data").read_text().partition("\n1 1 ")
+            row = row + rest[0].split("\n", 1)[0] + f" {columns}\n" + rest[0].split("\n", 1)[1]
+            Path("chain.data").write_text(head + row)
+            outcome = run(script, check=False, name="in.chain")
+            self.assertEqual(outcome.code, 0 if pattern is None else 1, outcome.text[-500:])
+            if pattern:
+                self.assertRegex(outcome.text, f"ERROR[^\n]*Atoms section, atom 1: column {pattern}")
+
     def test_written_again_it_is_the_same_file(self):
         self.assertEqual(self.atoms("second.data"), self.atoms("third.data"))
 

@@ -247,7 +247,9 @@ run 15
 """ + final(), timeout=60, check=False)
 
     def test_forces_and_torques_of_a_flow_solver(self):
-        self.assertEqual(self.couple("transfer_density yes").code, 0)
+        outcome = self.couple("transfer_density yes")
+        self.assertEqual(outcome.code, 0)
+        self.assertRegex(outcome.text, "WARNING: Fix couple/cfd/force .*told the bounding radius.*transfer_superquadric yes")
         out = last()
         np.testing.assert_allclose(out["fx"], 1e-4, rtol=1e-12)
         np.testing.assert_allclose(out["tqz"], 1e-8, rtol=1e-12)
