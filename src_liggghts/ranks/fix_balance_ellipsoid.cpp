@@ -9,7 +9,6 @@
 #include "error.h"
 #include "fix_insert.h"
 #include "modify.h"
-#include "neighbor.h"
 #include "timer.h"
 #include "update.h"
 
@@ -72,11 +71,15 @@ void FixBalanceEllipsoid::init() {
   if (modify->n_fixes_style_strict(style) > 1)
     error->fix_error(FLERR, this, "there is another one; remove one of them");
   check_shifts_are_possible(lmp, "Fix balance/ellipsoid (id " + std::string(id) + ")");
-  // The host takes 1 for boxes that may change at any time, and hands all meshes round whenever
-  // lists are built. Here it is 1 from a shift to the first lists that know of it.
-  domain->box_change =
-      domain->box_change_size || domain->box_change_shape || last_shift_ >= 0 ? 1 : 0;
+  note_box_change(false);
   time_at_look_ = 0.0; // as the host's clocks
+}
+
+/// With 1 the host hands meshes round and finds their cells whenever lists are built, and
+/// insertions measure their regions anew, with other random numbers after that. Here it is 1 in
+/// steps with new lists, after the insertions.
+void FixBalanceEllipsoid::note_box_change(bool planes_too) {
+  domain->box_change = domain->box_change_size || domain->box_change_shape || planes_too ? 1 : 0;
 }
 
 /// Next step at which a fix of the host inserts; a very large one if none does.
@@ -99,6 +102,7 @@ void FixBalanceEllipsoid::balance() {
   if (comm->nprocs == 1)
     return;
   const bigint step = update->ntimestep, insertion = next_insertion();
+  note_box_change(true);
   const bool insertion_is_next = insertion == step + 1;
   if (insertion_is_next || is_due()) {
     if (domain->triclinic)
@@ -149,15 +153,6 @@ void FixBalanceEllipsoid::shift(const Planes& planes) {
     return;
   shift_planes(lmp, planes);
   ++shifts_;
-  last_shift_ = update->ntimestep;
-  domain->box_change = 1;
-}
-
-void FixBalanceEllipsoid::end_of_step() {
-  if (last_shift_ < 0 || neighbor->lastcall <= last_shift_)
-    return;
-  last_shift_ = -1;
-  domain->box_change = domain->box_change_size || domain->box_change_shape ? 1 : 0;
 }
 
 double FixBalanceEllipsoid::compute_vector(int n) {

@@ -24,7 +24,8 @@ class FixBalanceEllipsoid : public Fix {
 
   int setmask() override;
   void init() override;
-  void end_of_step() override;
+  void setup(int) override { note_box_change(false); }
+  void end_of_step() override { note_box_change(false); }
   void write_restart(FILE* file) override;
   void restart(ELLIPSOID_RESTART_PARAMETERS) override;
   double compute_scalar() override { return after_; }
@@ -45,10 +46,10 @@ class FixBalanceEllipsoid : public Fix {
   bigint shifts_ = 0;                 // so far
   double time_at_look_ = 0.0;         // of this rank since the run began, at the last look (s)
   bool was_measured_ = false;
-  bigint last_shift_ = -1;        // step, until lists were built at a later one; else -1
   bool is_for_insertion_ = false; // planes are even until the host's fixes have inserted
 
   void parse(int narg, char** arg);
+  void note_box_change(bool planes_too);
   bigint next_insertion() const;
   bool is_due() const;
   double work_since_look();

@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "load_balance.h"
 
-#include "comm.h"
+#include "domain.h"
 #include "fix_balance_ellipsoid.h"
 #include "lammps.h"
 #include "modify.h"
@@ -27,4 +27,17 @@ void ellipsoid_host::take_planes(LAMMPS* lmp, const char* fix_style, const char*
     same_grid = same_grid && planes[k].size() == own[k].size();
   if (same_grid)
     set_planes(lmp, planes);
+}
+
+ellipsoid_host::EvenPlanes::EvenPlanes(LAMMPS* lmp, const char* fix_style) {
+  if (lmp->domain->box_exist == 0 || std::strncmp(fix_style, "insert/", 7) != 0)
+    return;
+  lmp_ = lmp;
+  present_ = present_planes(lmp);
+  set_planes(lmp, even_planes(lmp));
+}
+
+ellipsoid_host::EvenPlanes::~EvenPlanes() {
+  if (lmp_)
+    set_planes(lmp_, present_);
 }

@@ -4,9 +4,7 @@
 #ifndef LOAD_BALANCE_H_
 #define LOAD_BALANCE_H_
 
-namespace LAMMPS_NS {
-class LAMMPS;
-}
+#include "sub_domains.h"
 
 namespace ellipsoid_host {
 
@@ -17,6 +15,20 @@ void balance_ranks(LAMMPS_NS::LAMMPS* lmp);
 /// To be called while a restart file is read, before its particles, with what each fix wrote: takes
 /// the planes of the run that wrote them, if the processor grid is the same.
 void take_planes(LAMMPS_NS::LAMMPS* lmp, const char* fix_style, const char* state);
+
+/// While it exists, sub-domains are even for a fix that is made, if it is one that inserts: such
+/// fixes measure then what part of their region each rank has.
+class EvenPlanes {
+ public:
+  EvenPlanes(LAMMPS_NS::LAMMPS* lmp, const char* fix_style);
+  ~EvenPlanes();
+  EvenPlanes(const EvenPlanes&) = delete;
+  EvenPlanes& operator=(const EvenPlanes&) = delete;
+
+ private:
+  LAMMPS_NS::LAMMPS* lmp_ = nullptr; // null: nothing to do
+  Planes present_;
+};
 
 } // namespace ellipsoid_host
 
