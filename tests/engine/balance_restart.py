@@ -63,8 +63,8 @@ class Restart(unittest.TestCase):
     def test_files_of_each_rank(self):
         """`%`: every rank reads some of the files, and particles go to their ranks by the planes."""
         script = crowd("2 2 1", FIX)
-        run(script + f"run 100\nwrite_restart many.%.restart\nrestart {EVERY} many.again.*\n" + dump("many.dump", 50) + "run 200\n", 4,
-            name="in.many")
+        run(script + f"run 100\nwrite_restart many.%.restart\nrestart {EVERY} many.again.*\n"
+            + dump("many.dump", 50) + "run 200\n", 4, name="in.many")
         self.go_on(script, "many.%.restart", "2 2 1", "from_many")
         _, whole = read_dump("many.dump")
         steps, again = read_dump("from_many.dump")
