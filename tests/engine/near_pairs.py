@@ -30,7 +30,7 @@ class SpinningScene(adversarial.Scene):
 
     def bodies(self):
         """Slender, flat and triaxial, longest axis anywhere."""
-        self.multisphere = self.average = False
+        self.multisphere = self.average = self.short = self.heats = False
         super().bodies()
         r, largest = self.random, 0.0
         for k, (cell, kind, _, quaternion, _) in enumerate(self.rows):
