@@ -311,8 +311,11 @@ class Comparison:
             place = {i: k for k, i in enumerate(old.ids)}
             known = np.array([place.get(i, -1) for i in frame.ids])
             spin = old.spin() + half * torque
-            v = np.where(known[:, None] >= 0, old.v[known] + half * force[known] / old.mass[known][:, None], frame.v)
-            omega = np.where(known[:, None] >= 0, frame.omega_of(spin[known]), frame.omega)
+            is_known = known[:, None] >= 0  # a body that came in this step has had half of its first kick
+            v = np.where(is_known, old.v[known] + half * force[known] / old.mass[known][:, None],
+                         frame.v - half * values[:, 19:22] / frame.mass[:, None])
+            omega = np.where(is_known, frame.omega_of(spin[known]),
+                             frame.omega_of(frame.spin() - half * values[:, 22:25]))
         f, t, rows, virial = brute.step(frame, step * scene.time_step, v, omega, advance=not is_start,
                                         wall_moves=not (is_start and scene.wall == "mesh"))
         if scene.gravity:
