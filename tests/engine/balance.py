@@ -106,11 +106,11 @@ class Planes(unittest.TestCase):
     def test_least_width_and_directions(self):
         particles = heap(71)
         name = "wide"
-        self.planes(name, "2 2 1", "fix share all balance/ellipsoid every 9 threshold 1 directions x width 0.012\n",
+        self.planes(name, "2 2 1", "fix share all balance/ellipsoid every 9 threshold 1 directions x width 0.008\n",
                     particles)
         planes = planes_in(f"{name}.restart")
         np.testing.assert_array_equal(planes[1], [0.0, 0.5, 1.0])
-        self.assertAlmostEqual(SIDE * planes[0][1], 0.012, delta=1e-6)
+        self.assertAlmostEqual(SIDE * planes[0][1], 0.008, delta=1e-6)
         self.planes("standard", "4 1 1", "fix share all balance/ellipsoid every 9 threshold 1\n", particles)
         widths = SIDE * np.diff(planes_in("standard.restart")[0])
         self.assertGreaterEqual(widths.min(), SIDE / 8 - 1e-12)  # the reach of ghosts is wider
