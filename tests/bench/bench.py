@@ -195,7 +195,7 @@ class Bench:
                         "--b", repr(B), "--subspheres", str(shape.subspheres), "--multisphere", chain],
                        cwd=self.run_folder, check=True, capture_output=True)
         script = rigid_bodies(shape, COUNT, chain, 0.08)
-        self.run(script + damped() + f"timestep 1e-5\nthermo 1000000\nrun {RIGID_SETTLING_STEPS}\n"
+        self.run(damped(script) + f"timestep 1e-5\nthermo 1000000\nrun {RIGID_SETTLING_STEPS}\n"
                  f"write_restart {file}\n")
 
     def poured(self, group, shape):

@@ -165,17 +165,18 @@ def moving_bodies(shape, case, start, mesh=None):
     return script + shape.motion + "\n"
 
 
-def damped():
-    """Script lines that damp so strongly that particles come to rest soon."""
-    return "".join(f"fix {name} all property/global {what} peratomtypepair 2 2e3 2e3 2e3 2e3\n"
-                   for name, what in (("m4", "viscousDampingNormal"),
-                                      ("m5", "viscousDampingTangential")))
+def damped(script):
+    """The script with such strong damping that particles come to rest soon."""
+    return re.sub(r"^(fix \w+ all property/global viscousDamping\w+ peratomtypepair 2 ).*$", r"\g<1>2e3 2e3 2e3 2e3",
+                  script, flags=re.MULTILINE)
 
 
 def settle(shape, case, start, steps):
     """Script that lets a bed come to rest on the floor, or a flow come into motion; its last frame
     is settled.dump."""
-    script = moving_bodies(shape, case, start) + (damped() if case in ("bed", "box") else "")
+    script = moving_bodies(shape, case, start)
+    if case in ("bed", "box"):
+        script = damped(script)
     columns = "id type x y z vx vy vz omegax omegay omegaz"
     if shape.kind != "sphere":
         columns += " quat1 quat2 quat3 quat4"
