@@ -34,8 +34,6 @@ void plot_columns(const PlotOptions& options) {
   if (options.columns.x.empty() || options.columns.y.empty())
     throw InputError(options.what + ": give the columns, --x and --y");
   const bool is_map = options.what == "map";
-  if (is_map && !options.columns.margin.empty())
-    throw InputError("map: margins are for curves, leave --margin out");
   if (is_map && options.columns.value.empty())
     throw InputError("map: give the column of the colours, --value");
   std::vector<std::string> numbers = options.columns.y;
@@ -95,7 +93,7 @@ void refuse_idle_options(const CLI::App& command, const PlotOptions& options) {
 
 } // namespace
 
-void add_plot_command(CLI::App& program, int& exit_code) {
+void add_plot_command(CLI::App& program, int& /*exit_code*/) {
   auto options = std::make_shared<PlotOptions>();
   CLI::App* command = program.add_subcommand(
       "plot",
@@ -127,7 +125,7 @@ void add_plot_command(CLI::App& program, int& exit_code) {
   command->add_option("--height", options->height, "pixels")
       ->check(CLI::Range(200, 20000))
       ->capture_default_str();
-  command->callback([command, options, &exit_code] {
+  command->callback([command, options] {
     refuse_idle_options(*command, *options);
     plot(*options);
   });

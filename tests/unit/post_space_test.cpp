@@ -283,7 +283,7 @@ TEST(Contacts, links_of_force_chains) {
   list.names = {"i", "j", "fx", "fy", "fz", "nx", "ny", "nz"};
   list.columns = {{3, 5, 9, 5}, {5, 3, 5, 9}, {3, -1, 0, 0}, {4, 0, 2, 0},
                   {0, 0, 0, 0}, {2, 1, 0, 1}, {0, 0, 1, 0},  {0, 0, 0, 0}};
-  const ContactColumns all{{"i", "j"}, {"fx", "fy", "fz"}, {}, {}};
+  const ContactColumns all{{"i", "j"}, {"fx", "fy", "fz"}, {}, {}, {}};
   const auto links = force_links(list, all, set);
   ASSERT_EQ(links.size(), 2u); // rows of a pair are added, in either order of its ids
   EXPECT_DOUBLE_EQ(links[0].force, 5.0 + 1.0);
@@ -291,7 +291,7 @@ TEST(Contacts, links_of_force_chains) {
   EXPECT_EQ(links[0].begin.x, 3.0);
   EXPECT_EQ(links[0].end.x, 5.0);
   const auto normal =
-      force_links(list, {{"i", "j"}, {"fx", "fy", "fz"}, {"nx", "ny", "nz"}, {}}, set);
+      force_links(list, {{"i", "j"}, {"fx", "fy", "fz"}, {"nx", "ny", "nz"}, {}, {}}, set);
   EXPECT_DOUBLE_EQ(normal[0].force, 3.0 + 1.0);
   list.columns[0][2] = 7;
   try {
@@ -387,6 +387,8 @@ TEST(Energy, of_a_spinning_ellipsoid) {
   options.gravity.reset();
   EXPECT_FALSE(energy(set, options).potential.has_value());
   set.has_spins = false;
+  EXPECT_THROW(energy(set, options), InputError); // inertia without rotation
+  options.inertia.reset();
   EXPECT_FALSE(energy(set, options).rotation.has_value());
   set.has_velocities = false;
   EXPECT_THROW(energy(set, options), InputError);

@@ -112,6 +112,8 @@ std::vector<ReportedRun> reported_runs(const ReportOptions& options, int& exit_c
 }
 
 std::map<std::string, std::string> short_names(const std::vector<ReportedRun>& runs) {
+  if (runs.empty())
+    return {};
   std::vector<fs::path> paths;
   for (const ReportedRun& run : runs)
     paths.emplace_back(run.name());
