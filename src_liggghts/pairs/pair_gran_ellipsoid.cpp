@@ -21,8 +21,10 @@
 #include "smooth_contacts.h"
 #include "update.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <string>
@@ -280,8 +282,18 @@ Fix* PairGranEllipsoid::own_fix(const char* id, const char* style) {
 }
 
 /// The host keeps the histories of all partners of a particle in one page, and does not look
-/// whether they fit: it crashes when the neighbour lists are rebuilt.
+/// whether they fit, nor whether it can count what a page of the lists holds: it crashes when the
+/// neighbour lists are rebuilt.
 void PairGranEllipsoid::check_pages() {
+  const int largest_page = std::numeric_limits<int>::max() / std::max(1, dnum_pair());
+  if (neighbor->pgsize > largest_page)
+    error->all(FLERR,
+               ("pair_style gran/ellipsoid: the history of a pair has " +
+                std::to_string(dnum_pair()) +
+                " values (setting 'contacts'), 'neigh_modify page' is " +
+                std::to_string(neighbor->pgsize) + ", the most is " + std::to_string(largest_page) +
+                ": lower 'neigh_modify page' to that, or 'contacts'")
+                   .c_str());
   const long long needed = static_cast<long long>(neighbor->oneatom) * dnum_pair();
   if (needed <= neighbor->pgsize)
     return;

@@ -158,22 +158,6 @@ class Drum(unittest.TestCase):
     def test_multisphere(self):
         self.check("drum_ms", surface="multisphere")
 
-    def test_silo_keeps_what_lies_behind_its_outlet(self):
-        run_example("hopper", {**SHORT, "flow": 0.6, "mesh": "silo.stl", "out": "silo"})
-        columns = frames("silo/hopper.*.dump")
-        filled = surface_points(frame(columns, round(self.FILL / DUMP_TIME) - 1))
-        self.assertGreater(filled[..., 2].min(), self.FROM - SINK["smooth"])
-        self.assertLess(np.hypot(filled[..., 0], filled[..., 1]).max(), self.SHOULDER + SINK["smooth"])
-        last = frame(columns, -1)
-        points, kept = surface_points(last), last["z"][0] > self.FROM
-        print(f"silo: {kept.sum()} of {PARTICLES} stay")
-        self.assertTrue(0.2 * PARTICLES < kept.sum() < 0.95 * PARTICLES)
-        self.assertEqual(columns["id"].shape[1], PARTICLES)
-        # those that stay lie on the flat bottom, but for what sticks out over the outlet's edge
-        outside = np.hypot(points[kept, :, 0], points[kept, :, 1]) > self.OUTLET
-        self.assertGreater(points[kept, :, 2][outside].min(), self.FROM - SINK["smooth"])
-        self.assertGreater(lowest_points(last).min(), -SINK["smooth"])
-
     def test_first_moments_on_two_ranks(self):
         self.inside("drum_two", 2, fill=0.05, turn=0.05)
 

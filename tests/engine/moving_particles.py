@@ -203,6 +203,7 @@ group slow subtract right fast
 fix motion slow nve/ellipsoid
 run 10
 delete_atoms group fast compress no
+run 0
 delete_atoms region right2 compress no
 """
         script = script.replace("group right region", "region right2 block -0.03 -0.015 INF INF INF INF units box\n"
@@ -218,11 +219,11 @@ delete_atoms region right2 compress no
             np.testing.assert_allclose([out[n][k] for n in ("shapex", "shapey", "shapez")], AXES)
 
     def test_property_atom_goes_along(self):
-        setup = Setup(boundary="p p p", time_step=1e-4)
+        setup = Setup(boundary="p p p", time_step=1e-5)
         script = setup.with_particles(row_of_bodies()) + MOTION
         define = "fix mark all property/atom mark scalar yes yes no 7.0\n"
         run(script + define + "run 1\nset atom 3 property/atom mark 2.5\nset atom 6 property/atom mark 9.0\n"
-            + "run 2000\nwrite_restart mark.restart\n" + dump("mark.dump", columns=COLUMNS + ["f_mark"])
+            + "run 20000\nwrite_restart mark.restart\n" + dump("mark.dump", columns=COLUMNS + ["f_mark"])
             + "run 0\n", ranks=2)
         values = last("mark.dump")["f_mark"]
         np.testing.assert_array_equal(values, [7, 7, 2.5, 7, 7, 9])

@@ -94,6 +94,8 @@ class Refusals(unittest.TestCase):
         """Of the host's neighbour lists: to be seen before the run, not as a crash in it."""
         self.refused(self.flat_pair("contacts 24") + "run 10\n", "contacts", "neigh_modify page", "240000")
         run(self.flat_pair("contacts 24") + "neigh_modify page 240000\nrun 10\n", name="in.pages_240000")
+        self.refused(self.flat_pair("contacts 600") + "neigh_modify page 8000000 one 200\nrun 10\n",
+                     "contacts", "neigh_modify page", str((2 ** 31 - 1) // 3000))  # the host counts by int
         run(self.flat_pair("contacts 24") + "neigh_modify one 800\nrun 10\n", name="in.one_800")
 
     def test_largest_settings(self):
