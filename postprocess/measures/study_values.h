@@ -20,24 +20,27 @@ struct Difference {
 /// Angle of repose.
 inline const std::vector<Difference> repose_angle = {
 // study: repose_angle_deg
-    {5, 1, 2, -1.22, -16.61, 14.48},
-    {17, 1, 2, -7.46, -23.01, 7.66},
+    {3, 1, 2, 20.79, 4.36, 37.35},
+    {5, 1, 2, -1.22, -16.44, 14.19},
+    {17, 1, 2, -7.46, -22.83, 7.44},
 // study: end
 };
 
 /// Porosity.
 inline const std::vector<Difference> porosity = {
 // study: porosity
-    {5, 1, 2, 31.34, -2.37, 65.77},
-    {17, 1, 2, 3.70, -27.45, 34.07},
+    {3, 1, 2, 66.32, 28.67, 104.10},
+    {5, 1, 2, 31.34, -1.38, 65.18},
+    {17, 1, 2, 3.70, -27.28, 34.00},
 // study: end
 };
 
 /// Contacts per particle.
 inline const std::vector<Difference> coordination = {
 // study: zpp
-    {5, 1, 2, -10.53, -35.80, 14.91},
-    {17, 1, 2, -2.86, -29.02, 22.81},
+    {3, 1, 2, -16.94, -41.53, 7.57},
+    {5, 1, 2, -10.53, -34.96, 14.69},
+    {17, 1, 2, -2.86, -28.91, 22.58},
 // study: end
 };
 // clang-format on
