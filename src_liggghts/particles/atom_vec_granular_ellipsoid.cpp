@@ -105,7 +105,10 @@ void AtomVecGranularEllipsoid::check_chain(const std::array<int, 2>& chain, cons
   std::string problem;
   if (count == 0 || spacing > touching) // smooth, or a set of spheres
     return;
-  if (count % 2 == 0)
+  if (count > ellipsoid::largest_sphere_count)
+    problem = "column N has the value '" + std::to_string(count) + "', allowed are 0 to " +
+              std::to_string(ellipsoid::largest_sphere_count);
+  else if (count % 2 == 0)
     problem = "column N is " + std::to_string(count) + ", allowed are 0 and odd numbers";
   else if (axes[1] != axes[2])
     problem = "column N is " + std::to_string(count) + ", and b and c differ; allowed is 0";

@@ -109,7 +109,7 @@ class WholeFiles(unittest.TestCase):
         head, rest = self.data.split("Atoms\n\n")
         atom, tail = rest.split("\n", 1)
         for k, (column, value) in enumerate([(16, "-1"), (16, "1.5"), (16, "1001"), (16, "x"),
-                                             (17, "4"), (17, "-1"), (17, "nan")]):
+                                             (17, "-1"), (17, "nan")]):
             words = atom.split()
             words[column] = value
             Path(f"wrong{k}.data").write_text(f"{head}Atoms\n\n{' '.join(words)}\n{tail}")
