@@ -1,3 +1,0 @@
-namespace ellipsoid {
-int   f( );
-}
