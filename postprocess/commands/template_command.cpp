@@ -23,9 +23,10 @@ struct TemplateOptions {
   std::vector<int> counts = {3, 5, 7, 9, 11, 13, 15, 17};
   std::string spacing_word = "paper";
   std::string measure = "area";
-  double tolerance = 0.0, compared_tolerance = 0.0, recommended_aspect = 0.0, mass = 0.0;
+  double tolerance = 0.0, compared_tolerance = 0.0, recommended_aspect = 0.0;
   SetOptions sets;
-  std::string multisphere, molecule, spheres, mesh, stl;
+  BodyFiles files;
+  std::string mesh, stl;
 };
 
 constexpr ShapeMeasure measures[] = {ShapeMeasure::area, ShapeMeasure::volume,
@@ -124,8 +125,8 @@ Table recommendation_table(double aspect) {
 
 std::vector<const std::string*> files_of(const TemplateOptions& options) {
   std::vector<const std::string*> files;
-  for (const std::string* file :
-       {&options.multisphere, &options.molecule, &options.spheres, &options.mesh, &options.stl})
+  for (const std::string* file : {&options.files.multisphere, &options.files.molecule,
+                                  &options.files.spheres, &options.mesh, &options.stl})
     if (!file->empty())
       files.push_back(file);
   return files;
@@ -134,20 +135,11 @@ std::vector<const std::string*> files_of(const TemplateOptions& options) {
 void write_files(const TemplateOptions& options, const Wanted& wanted, SphereSpacing spacing) {
   const MultisphereTemplate chain =
       make_multisphere(wanted.aspect_ratio * options.b, options.b, wanted.count, spacing);
-  const auto write = [](const std::string& path, const std::string& text) {
-    if (!path.empty())
-      write_text(path, text);
-  };
   const SphereBody body = body_of(chain);
-  write(options.multisphere, host_multisphere_file(body.spheres));
-  if (!options.multisphere.empty() && options.mass > 0.0)
-    fmt::print(stderr, "of fix particletemplate/multisphere: {}\n",
-               host_multisphere_words(body, options.multisphere, options.mass));
-  write(options.molecule, molecule_file(body, options.mass));
-  write(options.spheres, spheres_csv(body.spheres));
+  write_body_files(options.files, body, body.spheres);
   const SurfaceMesh surface = outline_of_revolution(chain);
-  write(options.mesh, vtp_text(surface));
-  write(options.stl, stl_text(surface));
+  write_if_named(options.mesh, vtp_text(surface));
+  write_if_named(options.stl, stl_text(surface));
 }
 
 /// With --from a number of --spheres is how many are wanted, not a file.
@@ -155,17 +147,12 @@ TemplateChoice set_choice(const CLI::App& command, const TemplateOptions& option
   const auto given = [&](const char* option, const std::string& value) {
     return command.count(option) > 0 ? value : std::string();
   };
-  TemplateChoice choice{options.counts,
-                        given("--spacing", options.spacing_word),
-                        given("--measure", options.measure),
-                        options.tolerance,
-                        options.mass,
-                        options.multisphere,
-                        options.molecule,
-                        options.spheres};
-  if (const auto count = whole_token<int>(options.spheres); count && !options.sets.mesh.empty()) {
+  TemplateChoice choice{options.counts, given("--spacing", options.spacing_word),
+                        given("--measure", options.measure), options.tolerance, options.files};
+  if (const auto count = whole_token<int>(options.files.spheres);
+      count && !options.sets.mesh.empty()) {
     choice.counts = {*count};
-    choice.spheres.clear();
+    choice.files.spheres.clear();
   }
   return choice;
 }
@@ -221,17 +208,17 @@ void add_count_options(CLI::App& command, TemplateOptions& options) {
       ->check(CLI::IsMember({"area", "volume", "outline"}))
       ->capture_default_str();
   command
-      .add_option("--mass", options.mass,
+      .add_option("--mass", options.files.mass,
                   "of the body (kg): completes the molecule file, prints the words that go with "
                   "--multisphere")
       ->check(CLI::PositiveNumber);
 }
 
 void add_file_options(CLI::App& command, TemplateOptions& options) {
-  command.add_option("--multisphere", options.multisphere,
+  command.add_option("--multisphere", options.files.multisphere,
                      "write x y z r lines for the host's fix particletemplate/multisphere");
-  command.add_option("--molecule", options.molecule, "write a LAMMPS molecule file");
-  command.add_option("--spheres", options.spheres,
+  command.add_option("--molecule", options.files.molecule, "write a LAMMPS molecule file");
+  command.add_option("--spheres", options.files.spheres,
                      "write the spheres as CSV; with --from a number is --subspheres");
   command.add_option("--vtp", options.mesh, "write the surface for ParaView");
   command.add_option("--stl", options.stl, "write the surface as STL");
@@ -261,7 +248,7 @@ void refuse_idle_options(const CLI::App& command, const TemplateOptions& options
     refuse_without_effect(command, {"--subspheres"}, "with --tolerance");
   else
     refuse_without_effect(command, {"--measure"}, "without --tolerance");
-  if (options.multisphere.empty() && options.molecule.empty())
+  if (options.files.multisphere.empty() && options.files.molecule.empty())
     refuse_without_effect(command, {"--mass"}, "without --multisphere or --molecule");
 }
 

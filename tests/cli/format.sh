@@ -25,9 +25,8 @@ mapfile -t files < <(find "$ELLIPSOID_SOURCE/src_liggghts" "$ELLIPSOID_SOURCE/po
 }
 
 # the check sees what it should
-printf 'namespace ellipsoid {\nint   f( );\n}\n' >fault.h
-cp "$ELLIPSOID_SOURCE/.clang-format" .
-if "$formatter" --style=file --dry-run --Werror fault.h 2>/dev/null; then
+if printf 'namespace ellipsoid {\nint   f( );\n}\n' |
+  "$formatter" --style=file --assume-filename="$ELLIPSOID_SOURCE/fault.h" --dry-run --Werror 2>/dev/null; then
   echo "this test does not notice a file out of format"
   exit 1
 fi

@@ -12,7 +12,6 @@
 #include "sphere_set_measures.h"
 #include "stl_mesh.h"
 #include "table_charts.h"
-#include "template_files.h"
 
 #include <algorithm>
 #include <cmath>
@@ -191,11 +190,6 @@ Table table_of(const std::vector<NamedSet>& sets, const Target& target) {
   return table;
 }
 
-void write_if_named(const std::string& path, const std::string& text) {
-  if (!path.empty())
-    write_text(path, text);
-}
-
 /// One body of sub-spheres, seen from the side.
 std::string picture_of(const std::string& path, const SphereSet& set, const std::string& title) {
   ParticleSet particles;
@@ -208,9 +202,7 @@ std::string picture_of(const std::string& path, const SphereSet& set, const std:
   }
   particle.semiaxes = {reach, reach, reach};
   particles.particles.push_back(particle);
-  ParticleColours colours;
-  colours.colours.assign(1, Colour{});
-  colours = particle_colours(Frame(), particles, "", {}, {});
+  const ParticleColours colours = particle_colours(Frame(), particles, "", {}, {});
   return space_picture(picture_format(path), particles, colours, SpaceView(), title);
 }
 
@@ -221,18 +213,14 @@ void write_files(const NamedSet& set, const SetOptions& options, const TemplateC
                   set.spheres, (1.0 / m.volume) * m.inertia};
   for (Vector3& centre : body.spheres.centres)
     centre -= m.centre;
-  write_if_named(choice.multisphere, host_multisphere_file(body.spheres));
-  if (!choice.multisphere.empty() && choice.mass > 0.0)
-    fmt::print(stderr, "of fix particletemplate/multisphere: {}\n",
-               host_multisphere_words(body, choice.multisphere, choice.mass));
-  write_if_named(choice.molecule, molecule_file(body, choice.mass));
-  write_if_named(choice.spheres, spheres_csv(set.spheres));
+  write_body_files(choice.files, body, set.spheres);
   if (!options.picture.empty())
     write_text(options.picture, picture_of(options.picture, body.spheres, body.title));
 }
 
 bool has_files(const SetOptions& options, const TemplateChoice& choice) {
-  return !(choice.multisphere + choice.molecule + choice.spheres + options.picture).empty();
+  const BodyFiles& files = choice.files;
+  return !(files.multisphere + files.molecule + files.spheres + options.picture).empty();
 }
 
 int run_needed(const SetOptions& options, const OutputOptions& output) {
@@ -276,7 +264,8 @@ int run_sets(const SetOptions& options, const TemplateChoice& choice, OutputOpti
     check_inside(sets.front(), *target.solid);
   if (has_files(options, choice) && sets.size() != 1)
     throw InputError("files hold one template: give one --subspheres, or a --tolerance");
-  for (const std::string* file : {&choice.multisphere, &choice.molecule, &choice.spheres})
+  for (const std::string* file :
+       {&choice.files.multisphere, &choice.files.molecule, &choice.files.spheres})
     output.quiet = output.quiet || *file == "-";
   write_table(output, table_of(sets, target));
   if (has_files(options, choice))

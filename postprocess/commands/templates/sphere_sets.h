@@ -4,6 +4,7 @@
 // surfaces.
 #pragma once
 
+#include "body_files.h"
 #include "command.h"
 #include "output_options.h"
 
@@ -30,8 +31,8 @@ struct TemplateChoice {
   std::vector<int> counts;
   std::string spacing; ///< a word; empty: not given
   std::string measure; ///< of the tolerance; empty: not given
-  double tolerance = 0.0, mass = 0.0;
-  std::string multisphere, molecule, spheres; ///< files that are written; empty: none
+  double tolerance = 0.0;
+  BodyFiles files;
 };
 
 void add_set_options(CLI::App& command, SetOptions& options);
