@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the meshes of inputs/hopper.in (hopper and silo) and inputs/drum.in, ASCII STL in metres, into the present folder.
+"""Writes the meshes of inputs/hopper.in (hopper and silo), drum.in and benchmark_*.in, ASCII STL in metres, into the present folder.
 
     python3 make_meshes.py
 
@@ -56,6 +56,18 @@ def main():
     write_stl("silo.stl", band(outlet, wall) + band(wall, ring(0.030, 0.150, segments)))
     ends = ring(0.030, -0.010, 36), ring(0.030, 0.010, 36)
     write_stl("drum.stl", along_y(band(*ends) + disc(ends[0]) + disc(ends[1])))
+    benchmark()
+
+
+def benchmark():
+    """Walls of the common benchmark: two cones of 45 degrees, whose shoulders have the radius 0.1; the shell of a drum
+    about the y axis; a disc of radius 1 for lids and covers, to be scaled."""
+    segments = 100
+    for name, radius, height in (("large", 0.03, -0.0554222), ("small", 0.02, -0.0593008)):
+        orifice, shoulder = ring(radius, height, segments), ring(0.1, height + 0.1 - radius, segments)
+        write_stl(f"benchmark_cone_{name}.stl", band(orifice, shoulder))
+    write_stl("benchmark_shell.stl", along_y(band(ring(0.1, -0.03, segments), ring(0.1, 0.03, segments))))
+    write_stl("benchmark_disc.stl", disc(ring(1.0, 0.0, segments)))
 
 
 if __name__ == "__main__":

@@ -24,7 +24,9 @@ SHORT = {"particles": PARTICLES, "dt": 2e-5, "meshes": MESHES}
 class Meshes(unittest.TestCase):
     def test_files_are_those_of_the_script(self):
         subprocess.run([sys.executable, MESHES / "make_meshes.py"], check=True)
-        for name in ("hopper.stl", "hopper_lid.stl", "silo.stl", "drum.stl"):
+        names = sorted(file.name for file in MESHES.glob("*.stl"))
+        self.assertEqual(sorted(str(file) for file in Path().glob("*.stl")), names)
+        for name in names:
             self.assertEqual(Path(name).read_text(), (MESHES / name).read_text(), name)
 
 
