@@ -4,12 +4,12 @@
 #include "comm.h"
 #include "error.h"
 #include "fix_particletemplate_ellipsoid.h"
+#include "fix_wall_gran_ellipsoid.h"
 #include "force.h"
 #include "modify.h"
 #include "pair_gran_ellipsoid.h"
 
 #include <algorithm>
-#include <cstring>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -17,8 +17,6 @@
 using namespace LAMMPS_NS;
 
 namespace {
-
-constexpr char wall_style[] = "wall/gran/ellipsoid";
 
 /// Models come first, in one order; the settings after them may have any.
 std::vector<std::string> in_one_order(const std::string& arguments) {
@@ -51,8 +49,8 @@ void FixPairSettingsEllipsoid::write_restart(FILE* file) {
   std::string state = present_arguments() + "\n";
   for (int k = 0; k < modify->nfix; ++k) {
     const std::string id = modify->fix[k]->id;
-    if (std::strcmp(modify->fix[k]->style, wall_style) == 0)
-      state += "wall " + id + "\n";
+    if (const auto* wall = dynamic_cast<FixWallGranEllipsoid*>(modify->fix[k]))
+      state += "wall " + id + " " + wall->law() + "\n";
     if (const auto* grain = dynamic_cast<FixParticletemplateEllipsoid*>(modify->fix[k]))
       state += "template " + id + " " + grain->sphere_chain() + "\n";
   }
@@ -68,13 +66,13 @@ void FixPairSettingsEllipsoid::restart(ELLIPSOID_RESTART_PARAMETERS) {
   compare_arguments(line);
   while (std::getline(lines, line)) {
     std::istringstream words(line);
-    std::string what, id, chain;
+    std::string what, id, former;
     words >> what >> id;
-    std::getline(words >> std::ws, chain);
+    std::getline(words >> std::ws, former);
     if (what == "wall")
-      look_for_wall(id);
+      compare_wall(id, former);
     else
-      compare_template(id, chain);
+      compare_template(id, former);
   }
 }
 
@@ -90,15 +88,23 @@ void FixPairSettingsEllipsoid::compare_arguments(const std::string& former) cons
                         .c_str());
 }
 
-void FixPairSettingsEllipsoid::look_for_wall(const std::string& wall) const {
-  const int index = modify->find_fix(wall.c_str());
-  if (comm->me != 0 || (index >= 0 && std::strcmp(modify->fix[index]->style, wall_style) == 0))
+void FixPairSettingsEllipsoid::compare_wall(const std::string& id,
+                                            const std::string& former) const {
+  const int index = modify->find_fix(id.c_str());
+  const auto* wall = index < 0 ? nullptr : dynamic_cast<FixWallGranEllipsoid*>(modify->fix[index]);
+  if (wall && !former.empty() && in_one_order(former) != in_one_order(wall->law()))
+    error->all(FLERR, ("The restart file has contacts with the wall of fix wall/gran/ellipsoid '" +
+                       id + "' by '" + former + "', the script has '" + wall->law() +
+                       "'; repeat the former, or give the wall another ID: its contacts then begin "
+                       "without history")
+                          .c_str());
+  if (wall || comm->me != 0)
     return;
-  error->warning(FLERR, ("The restart file has contacts with the wall of fix " +
-                         std::string(wall_style) + " '" + wall +
-                         "', which is not there; repeat the command with this ID if the wall still "
-                         "stands, or its friction starts anew")
-                            .c_str());
+  error->warning(FLERR,
+                 ("The restart file has contacts with the wall of fix wall/gran/ellipsoid '" + id +
+                  "', which is not there; repeat the command with this ID if the wall still "
+                  "stands, or its friction starts anew")
+                     .c_str());
 }
 
 void FixPairSettingsEllipsoid::compare_template(const std::string& id,

@@ -1,8 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // fix pair_settings/ellipsoid: made by pair_style gran/ellipsoid. It keeps the arguments of that
-// command, the IDs of the walls and the sub-spheres of the templates in restart files, and compares
-// them in the run that goes on.
+// command, the IDs and laws of the walls and the sub-spheres of the templates in restart files, and
+// compares them in the run that goes on.
 #ifdef FIX_CLASS
 // clang-format off
 FixStyle(pair_settings/ellipsoid,FixPairSettingsEllipsoid)
@@ -23,13 +23,14 @@ class FixPairSettingsEllipsoid : public Fix {
   FixPairSettingsEllipsoid(class LAMMPS* lmp, int narg, char** arg);
   int setmask() override { return 0; }
   void write_restart(FILE* file) override;
-  /// Stops if the pair style differs; warns of walls that are gone and of templates that differ.
+  /// Stops if the pair style or the law of a wall differs; warns of walls that are gone and of
+  /// templates that differ.
   void restart(ELLIPSOID_RESTART_PARAMETERS) override;
 
  private:
   std::string present_arguments() const;
   void compare_arguments(const std::string& former) const;
-  void look_for_wall(const std::string& wall) const;
+  void compare_wall(const std::string& id, const std::string& former) const;
   void compare_template(const std::string& id, const std::string& former) const;
 };
 

@@ -12,6 +12,7 @@
 #include "neighbor.h"
 #include "primitive_wall.h"
 #include "strict_settings.h"
+#include "wall_law.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,7 +88,8 @@ char** checked(LAMMPS* lmp, int narg, char** arg) {
 } // namespace
 
 FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg)
-    : FixWallGran(lmp, narg, checked(lmp, narg, arg)), meshes_(lmp) {
+    : FixWallGran(lmp, narg, checked(lmp, narg, arg)),
+      law_(ellipsoid_host::wall_law({arg + 3, arg + narg})), meshes_(lmp) {
   const bool multisphere = impl->contact_match("surface", "multisphere");
   if (!multisphere && !impl->contact_match("surface", "smooth"))
     error->fix_error(FLERR, this,

@@ -17,6 +17,7 @@ FixStyle(wall/gran/ellipsoid,FixWallGranEllipsoid)
 #include "wall_meshes.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -30,6 +31,8 @@ class FixWallGranEllipsoid : public FixWallGran,
   void post_create() override;
   void pre_delete(bool unfixflag) override;
   void init() override;
+  /// Models and settings, as in the command.
+  const std::string& law() const { return law_; }
   void post_force(int vflag) override {
     begin_records(update->ntimestep);
     FixWallGran::post_force(vflag);
@@ -40,6 +43,7 @@ class FixWallGranEllipsoid : public FixWallGran,
   void post_force_mesh(int vflag) override;
 
  private:
+  std::string law_;
   int cylinder_axis_ = -1; // 0, 1, 2; -1: plane, or mesh
   double cylinder_radius_ = 0.0, cylinder_centre_[3] = {0.0, 0.0, 0.0};
   ellipsoid::MulticontactRule rule_ = ellipsoid::MulticontactRule::sum;

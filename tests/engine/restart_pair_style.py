@@ -102,6 +102,23 @@ class RestartPairStyle(unittest.TestCase):
             self.assertRegex(outcome.text, "WARNING.*wall of fix wall/gran/ellipsoid 'floor', which is not there")
         self.assertNotIn("which is not there", run(text + "run 1\n", name="in.wall").text)
 
+    def test_a_wall_with_another_law(self):
+        """Of equal history length; another place, speed or temperature is no other law."""
+        self.whole("smooth", f"{LAW} surface smooth", LAW)
+        text = script("smooth", None, "half.restart")
+        hertz = FLOOR.replace(LAW, "model hertz tangential history").replace("SURFACE", "smooth")
+        for floor, words in ((hertz, ("model hertz tangential history surface smooth",)),
+                             (FLOOR.replace("SETTINGS", "direction velocity"), ("direction velocity",)),
+                             (FLOOR.replace("zplane 0.0", "zplane 0.0 shear x 0.1 limitForce on"), ("limitForce on",))):
+            floor = floor.replace("SURFACE", "smooth").replace("SETTINGS", "")
+            outcome = run(re.sub("fix floor.*\n", floor, text) + "run 1\n", check=False, name="in.wall")
+            self.assertNotEqual(outcome.code, 0, floor)
+            (line,) = [line for line in outcome.text.splitlines() if line.startswith("ERROR")]
+            for word in ("'floor'", f"'{LAW} surface smooth'", *words):
+                self.assertIn(word, line)
+        for place in ("zplane -0.0001", "zplane 0.0 shear x 0.1", "zplane 0.0 store_force yes"):
+            run(text.replace("zplane 0.0", place) + "run 1\n", name="in.wall")
+
     def test_other_numbers_of_subspheres(self):
         """They belong to the particles: those of the file keep theirs, a template of other N is named."""
         pair = f"{LAW} surface multisphere"
