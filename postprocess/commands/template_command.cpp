@@ -70,7 +70,9 @@ Row template_row(const MultisphereTemplate& chain, double aspect_ratio) {
           {"perimeter_ratio", "perimeter ratio", "", m.perimeter_ratio},
           {"area_shape_factor", "sf_A (26)", "", m.area_shape_factor},
           {"perimeter_shape_factor", "sf_P (27)", "", m.perimeter_shape_factor},
-          {"outline_deviation_b", "outline deviation", "b", m.outline_deviation / chain.b}};
+          {"outline_deviation_b", "outline deviation", "b", m.outline_deviation / chain.b},
+          {"outline_rms_b", "outline rms", "b", m.outline_rms / chain.b},
+          {"outline_rq_b", "outline Rq", "b", m.outline_rq / chain.b}};
 }
 
 /// The templates that the options ask for. One that cannot be built (too few spheres for the
@@ -263,7 +265,8 @@ void add_template_command(CLI::App& program, int& exit_code) {
   command->footer(
       "Area (9), volume (10), perimeter from the cut-off spheres, exact; ratios to the ellipse "
       "(2); shape factors |A_MS - A_ell| / A_ell (26) and |P_MS - P_ell| / P_ell (27); outline "
-      "deviation: largest distance between outline and ellipse.");
+      "deviation: largest distance between outline and ellipse; outline rms: root-mean-square of "
+      "that distance over the outline's length, Rq the same about the mean distance.");
   command->add_option("--b", options->b, "short semi-axis (m)")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

@@ -24,8 +24,7 @@ class Errors {
 
   double of(int count, int along) const {
     const SphereSet set = place_ellipsoid_spheres(m_semiaxes, count, m_spacing);
-    const std::vector<int> parts = connected_parts(set);
-    if (*std::max_element(parts.begin(), parts.end()) > 0)
+    if (!is_one_body(set))
       return std::numeric_limits<double>::infinity();
     if (m_what == SetError::volume)
       return share_in_exactly_one(set, m_solid, along);

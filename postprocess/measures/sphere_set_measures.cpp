@@ -1,10 +1,13 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "sphere_set_measures.h"
 
+#include "disc_union.h"
 #include "ellipsoid/ellipsoid_properties.h"
+#include "multisphere/multisphere_template.h"
 #include "wall/surface_points.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ellipsoid::post {
@@ -13,17 +16,27 @@ namespace {
 constexpr double pi = 3.141592653589793238462643;
 constexpr int surface_points = 12000;
 
-/// Weighted mean and largest of distances.
-void add_up(const std::vector<SurfacePoint>& points,
-            const std::function<double(const Vector3&)>& distance, double& largest, double& mean) {
-  double area = 0.0, sum = 0.0;
+/// Of the distances of points, weighted with their areas (length).
+struct DistanceSummary {
+  double largest = 0.0, mean = 0.0, rms = 0.0;
+};
+
+DistanceSummary add_up(const std::vector<SurfacePoint>& points,
+                       const std::function<double(const Vector3&)>& distance) {
+  DistanceSummary found;
+  double area = 0.0, sum = 0.0, squares = 0.0;
   for (const SurfacePoint& point : points) {
-    const double found = distance(point.place);
-    largest = std::max(largest, found);
-    sum += point.area * found;
+    const double d = distance(point.place);
+    found.largest = std::max(found.largest, d);
+    sum += point.area * d;
+    squares += point.area * d * d;
     area += point.area;
   }
-  mean = area > 0.0 ? sum / area : 0.0;
+  if (area > 0.0) {
+    found.mean = sum / area;
+    found.rms = std::sqrt(squares / area);
+  }
+  return found;
 }
 
 double distance_from_ellipsoid(const Vector3& s, const Vector3& point) {
@@ -66,13 +79,36 @@ double share_in_exactly_one(const SphereSet& set, const Solid& solid, int along)
 
 OutlineDistances outline_distances(const SphereSet& set, const Solid& solid) {
   const UnionDistance from_spheres(set);
+  const DistanceSummary to_spheres =
+      add_up(solid.points, [&](const Vector3& p) { return from_spheres.from(p); });
+  const DistanceSummary to_solid =
+      add_up(union_surface_points(set, 4 * surface_points), solid.distance);
   OutlineDistances found;
-  add_up(
-      solid.points, [&](const Vector3& p) { return from_spheres.from(p); },
-      found.largest_to_spheres, found.mean_to_spheres);
-  add_up(union_surface_points(set, 4 * surface_points), solid.distance, found.largest_to_solid,
-         found.mean_to_solid);
+  found.largest_to_spheres = to_spheres.largest;
+  found.mean_to_spheres = to_spheres.mean;
+  found.rms_to_spheres = to_spheres.rms;
+  found.largest_to_solid = to_solid.largest;
+  found.mean_to_solid = to_solid.mean;
+  found.rms_to_solid = to_solid.rms;
   return found;
+}
+
+SectionFactors section_factors(const SphereSet& set, const Vector3& semiaxes) {
+  const double axes[3] = {semiaxes.x, semiaxes.y, semiaxes.z};
+  std::array<std::size_t, 3> order{0, 1, 2};
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t k, std::size_t l) { return axes[k] > axes[l]; });
+  std::vector<Disc> discs;
+  for (std::size_t k = 0; k < set.radii.size(); ++k) {
+    const double c[3] = {set.centres[k].x, set.centres[k].y, set.centres[k].z};
+    const double height = c[order[2]], square = set.radii[k] * set.radii[k] - height * height;
+    if (square > 0.0)
+      discs.push_back({c[order[0]], c[order[1]], std::sqrt(square)});
+  }
+  const DiscUnion section = measure_discs(discs);
+  const double a = axes[order[0]], b = axes[order[1]];
+  return {std::fabs(section.area / ellipse_area(a, b) - 1.0),
+          std::fabs(section.perimeter / ellipse_perimeter(a, b) - 1.0)};
 }
 
 } // namespace ellipsoid::post

@@ -30,6 +30,7 @@ Solid solid_ellipsoid(const Vector3& semiaxes);
 struct OutlineDistances {
   double largest_to_spheres = 0.0, mean_to_spheres = 0.0; ///< from points of the solid's surface
   double largest_to_solid = 0.0, mean_to_solid = 0.0;     ///< from points of the spheres'
+  double rms_to_spheres = 0.0, rms_to_solid = 0.0;        ///< root-mean-squares
 };
 
 /// Columns over the longer side with which volumes are known to 1e-4 of the solid's.
@@ -39,5 +40,14 @@ constexpr int comparison_columns = 400;
 double share_in_exactly_one(const SphereSet& set, const Solid& solid, int columns_along);
 
 OutlineDistances outline_distances(const SphereSet& set, const Solid& solid);
+
+/// Of the section through the centre that holds the two larger semi-axes: Markauskas et al. 2010.
+struct SectionFactors {
+  double area = 0.0;      ///< eq. (26)
+  double perimeter = 0.0; ///< eq. (27)
+};
+
+/// A set about the origin beside the ellipsoid, semi-axes along x, y, z.
+SectionFactors section_factors(const SphereSet& set, const Vector3& semiaxes);
 
 } // namespace ellipsoid::post

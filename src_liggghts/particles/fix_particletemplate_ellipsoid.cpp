@@ -133,7 +133,7 @@ void FixParticletemplateEllipsoid::parse(int narg, char** arg) {
 bool FixParticletemplateEllipsoid::parse_spheres(const std::string& keyword,
                                                  ellipsoid_host::ArgumentReader& reader) {
   if (keyword == "subspheres") {
-    subspheres_ = reader.integer(keyword, 0, ellipsoid::largest_sphere_count);
+    subspheres_ = reader.integer(keyword, 0, ellipsoid::largest_set_count);
     stores_subspheres_ = true;
   } else if (keyword == "spacing") {
     const std::string word = reader.word(keyword);

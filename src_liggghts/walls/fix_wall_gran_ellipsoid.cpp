@@ -235,7 +235,7 @@ bool FixWallGranEllipsoid::find_and_apply_contacts(int i) {
   finder_->find(i, contacts_);
   if (contacts_.empty() && !may_touch)
     return false;
-  may_touch = !contacts_.empty();
+  may_touch = contacts_.empty() ? 0 : 1;
   double* row = dnum() > 0 ? take_history(i) : nullptr;
   const double weight = multicontact_weight(rule_, std::max(1, static_cast<int>(contacts_.size())));
   for (std::size_t k = 0; k < contacts_.size(); ++k)
@@ -317,7 +317,8 @@ FixWallGranEllipsoid::Heat FixWallGranEllipsoid::present_heat(int i) const {
 }
 
 /// The host's conductance goes by the square root of the area in which a sphere and a plane
-/// overlap; the contact's models may have put the sphere of an elliptic contact.
+/// overlap, and there is none where the sphere is beyond the wall; the contact's models may have
+/// put the sphere of an elliptic contact.
 void FixWallGranEllipsoid::weigh_heat(int i, const Heat& before, const WallContact& contact,
                                       double weight) {
   constexpr int by_overlap = 0; // CONDUCTION_CONTACT_AREA_OVERLAP of the host's fix_wall_gran.cpp
@@ -325,6 +326,11 @@ void FixWallGranEllipsoid::weigh_heat(int i, const Heat& before, const WallConta
                            ? weight * std::sqrt(contact.reduced_radius / curvature_radius_i)
                            : weight;
   double& flux = fppa_hf->vector_atom[i];
+  if (area_calculation_mode_ == by_overlap && !std::isfinite(flux)) { // of a negative area
+    flux = before.flux;
+    Q_add = before.total;
+    return;
+  }
   flux = before.flux + share * (flux - before.flux);
   Q_add = before.total + share * (Q_add - before.total);
 }

@@ -89,6 +89,100 @@ def check_ellipsoid_sets():
                                               33)[0]["volume_ratio"]))
 
 
+def check_even_numbers():
+    """Without a sphere in the centre, mirrored, and as good as the odd numbers beside it."""
+    for spacing in ("medial", "minimax_volume"):
+        shares = []
+        for n in (23, 24, 26, 29):
+            centres, radii = spheres_of("--semiaxes", *SEMIAXES, "--subspheres", n, "--spacing", spacing)
+            assert len(radii) == n
+            assert (np.linalg.norm(centres, axis=1).min() > 1e-6) == (n % 2 == 0)
+            for mirror in ((-1, 1, 1), (1, 1, -1)):
+                apart = np.linalg.norm(centres[:, None] * mirror - centres[None], axis=2).min(1)
+                assert apart.max() < 1e-15
+            shares.append(random_share(SEMIAXES, centres, radii)[0])
+        assert shares[2] < 1.05 * shares[0] and shares[3] < 1.05 * shares[1], (spacing, shares)
+
+
+def section_outline(centres, radii, axes):
+    """Points of the uncovered arcs in the plane of two body axes (M, 2) and lengths they stand for (M,); area."""
+    turn = (np.arange(40000) + 0.5) * 2.0 * np.pi / 40000
+    circle = np.stack([np.cos(turn), np.sin(turn)], 1)
+    flat, points, lengths, area = centres[:, list(axes)], [], [], 0.0
+    for k, radius in enumerate(radii):
+        own = flat[k] + radius * circle
+        free = np.ones(len(own), bool)
+        for m in range(len(radii)):
+            if m != k:
+                free &= ((own - flat[m]) ** 2).sum(1) >= radii[m] ** 2
+        points.append(own[free])
+        lengths.append(np.full(free.sum(), 2.0 * np.pi * radius / len(turn)))
+        area += 0.5 * radius * ((own * circle).sum(1)[free]).sum() * 2.0 * np.pi / len(turn)
+    return np.concatenate(points), np.concatenate(lengths), area
+
+
+def ellipse_points(a, b, count=20001):
+    turn = np.linspace(0.0, 2.0 * np.pi, count)
+    return np.stack([a * np.cos(turn), b * np.sin(turn)], 1)
+
+
+def distances_from(points, curve):
+    """From the nearest point of a fine polygon, (M,)."""
+    return np.concatenate([np.linalg.norm(part[:, None] - curve[None], axis=2).min(1)
+                           for part in np.array_split(points, max(1, len(points) // 50))])
+
+
+def check_roughness():
+    """Eqs. (26) and (27) and root-mean-squares against points of the outline."""
+    for spacing, n, more in (("paper", 3, ()), ("paper", 9, ()), ("minimax_area", 7, ()),
+                             ("medial", 24, ("--semiaxes", *SEMIAXES)),
+                             ("minimax_volume", 13, ("--semiaxes", *SEMIAXES))):
+        a, b, plane = (3.0, 2.0, (0, 2)) if more else (2.35, 1.0, (0, 1))
+        unit = 1e-3 if more else 1.0
+        arguments = more + ("--spacing", spacing, "--subspheres", n)
+        arguments += () if more else ("--aspect", 2.35, "--b", 1)
+        (row,) = rows_of("template", *arguments)
+        centres, radii = (values / unit for values in spheres_of(*arguments))
+        points, lengths, area = section_outline(centres, radii, plane)
+        curve = ellipse_points(a, b)
+        perimeter = np.linalg.norm(np.diff(curve, axis=0), axis=1).sum()
+        assert abs(float(row["area_shape_factor"]) - abs(area / (np.pi * a * b) - 1.0)) < 3e-4, row
+        assert abs(float(row["perimeter_shape_factor"]) - abs(lengths.sum() / perimeter - 1.0)) < 2e-3, row
+        if more:
+            continue
+        some = slice(None, None, 50)
+        sign = np.where(((points[some] / (a, b)) ** 2).sum(1) > 1.0, 1.0, -1.0)
+        apart, weight = sign * distances_from(points[some], curve), lengths[some]
+        mean = np.average(apart, weights=weight)
+        rms = np.sqrt(np.average(apart ** 2, weights=weight))
+        rq = np.sqrt(np.average((apart - mean) ** 2, weights=weight))
+        assert abs(float(row["outline_rms_b"]) / rms - 1.0) < 5e-3, (row, rms)
+        assert abs(float(row["outline_rq_b"]) / rq - 1.0) < 5e-3, (row, rq)
+    check_roughness_in_space()
+
+
+def check_roughness_in_space():
+    """Root-mean-squares over surfaces, both ways, of an inscribed set."""
+    arguments = ("--semiaxes", *SEMIAXES, "--subspheres", 21)
+    (row,) = rows_of("template", *arguments)
+    centres, radii = spheres_of(*arguments)
+    sphere = sphere_points(40000)
+    stretch = np.prod(SEMIAXES) * np.linalg.norm(sphere / SEMIAXES, axis=1)  # area per solid angle
+    gaps = distance_to_spheres(sphere * SEMIAXES, centres, radii)
+    there = np.sqrt(np.average(gaps ** 2, weights=stretch)) / SEMIAXES.min()
+    assert abs(float(row["rms_to_spheres_c"]) / there - 1.0) < 5e-3, (row, there)
+    squares, areas = [], []
+    for k, (centre, radius) in enumerate(zip(centres, radii)):
+        points = centre + radius * sphere_points(400)
+        others = np.arange(len(radii)) != k
+        points = points[~in_union(points, centres[others], radii[others])]
+        if len(points):
+            squares.append(distances_from(points, sphere * SEMIAXES) ** 2)
+            areas.append(np.full(len(points), radius ** 2))
+    back = np.sqrt(np.average(np.concatenate(squares), weights=np.concatenate(areas))) / SEMIAXES.min()
+    assert abs(float(row["rms_to_body_c"]) / back - 1.0) < 0.03, (row, back)
+
+
 def check_tolerance():
     (row,) = rows_of("template", "--semiaxes", *SEMIAXES, "--tolerance", 0.08)
     n = int(row["subspheres"])
@@ -168,7 +262,7 @@ def check_bad_lists():
     for arguments, text in (
             (("--semiaxes", 3, 2, 1, "--spacing", "paper"), "b = c"),
             (("--semiaxes", 3, 2, 0), "> 0"),
-            (("--semiaxes", 3, 2, 1, "--subspheres", 4), "odd"),
+            (("--semiaxes", 2, 1, 1, "--spacing", "paper", "--subspheres", 4), "odd"),
             (("--semiaxes", 5, 5, 1, "--subspheres", 5), "is enough"),
             (("--semiaxes", 3, 2, 1, "--aspect", 2), "is for chains"),
             (("--semiaxes", 3, 2, 1, "--tolerance", 0.1, "--measure", "area"), "section of a chain"),
@@ -263,6 +357,8 @@ def check_bad_surfaces():
 
 
 check_ellipsoid_sets()
+check_even_numbers()
+check_roughness()
 check_tolerance()
 check_lists()
 check_bad_lists()

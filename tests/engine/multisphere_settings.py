@@ -30,8 +30,10 @@ class Refusals(unittest.TestCase):
         axes = "semiaxes 2.7e-3 1.15e-3 1.15e-3"
         for words, *wanted in (
                 (f"{axes} subspheres 4", "subspheres", "4", "odd"),
-                (f"{axes} subspheres -1", "subspheres", "'-1'", "0 to 999"),
-                (f"{axes} subspheres 1001", "subspheres", "'1001'", "0 to 999"),
+                (f"{axes} subspheres -1", "subspheres", "'-1'", "0 to 9999"),
+                (f"{axes} subspheres 1001", "subspheres", "1001", "1 to 999"),
+                (f"{axes} subspheres 10001 spacing medial", "subspheres", "'10001'", "0 to 9999"),
+                (f"{axes} subspheres 1002 spacing minimax_volume", "subspheres", "1002", "1 to 999"),
                 (f"{axes} subspheres 5.0", "subspheres", "'5.0'", "integer"),
                 (f"{axes} subspheres x", "subspheres", "'x'", "integer"),
                 (f"{axes} subspheres", "subspheres", "lacks a value"),

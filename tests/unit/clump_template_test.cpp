@@ -123,7 +123,9 @@ TEST(ClumpTemplate, FormatsOfLists) {
   const SphereList plain = parse_sphere_list("# host\n\n 0 0 0 1\n1.5\t0  0 1 \r\n");
   for (const char* text :
        {"0,0,0,1\n1.5,0,0,1\n", "x,y,z,r\n0,0,0,1\n1.5,0,0,1\n",
-        "id;radius;X;Y;Z\n1;1;0;0;0\n2;1;1.5;0;0\n", "% CLUMP\n0 0 0 1e0\n1.5 0 0 1"}) {
+        "id;radius;X;Y;Z\n1;1;0;0;0\n2;1;1.5;0;0\n", "% CLUMP\n0 0 0 1e0\n1.5 0 0 1",
+        "\xEF\xBB\xBFx,y,z,r\r\n0,0,0,1\r\n\r\n1.5,0,0,1\r\n", "0 0 0 1\r1.5 0 0 1\r",
+        "0 0 0 1 # first\n// none\n1.5 0 0 1# last\n"}) {
     const SphereList list = parse_sphere_list(text);
     ASSERT_EQ(list.spheres.count(), 2) << text;
     EXPECT_EQ(list.spheres.centres[1].x, 1.5);
@@ -140,6 +142,11 @@ TEST(ClumpTemplate, BadListsInOneLine) {
       {"0 0 0\n", "line 1: 3 values"},
       {"1 0 0 0 1\n", "line 1: 5 values"},
       {"x,y,z\n1,2,3\n", "no column r"},
+      {"x,y,z,r,Radius\n0,0,0,1,1\n", "line 1: two columns r"},
+      {"0 0 0 1\r\n1 0 0 x\r\n", "line 2: 'x'"},
+      {"0 0 0 1e200\n", "radii from 1e-30 to 1e+30"},
+      {"0 0 0 1e-200\n", "radii from 1e-30 to 1e+30"},
+      {"0 0 1e60 1\n", "choose another unit"},
       {"0 0 0 1\n1 0 0 0\n", "sphere 2 has the radius 0"},
       {"0 0 0 1\n1 0 0 -1\n", "sphere 2 has the radius -1"},
       {"0 0 0 1\n1 0 nan 1\n", "sphere 2 has the centre"},

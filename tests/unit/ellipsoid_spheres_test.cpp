@@ -182,6 +182,79 @@ TEST(EllipsoidSpheres, MedialSetsConverge) {
   }
 }
 
+/// Without a sphere in the centre: symmetric, inscribed, as near as the odd numbers around it.
+TEST(EllipsoidSpheres, EvenNumbers) {
+  for (const Vector3& s : shapes)
+    for (const auto spacing : {SphereSpacing::medial, SphereSpacing::minimax_volume})
+      for (const int n : {24, 34}) {
+        const SphereSet set = make_ellipsoid_spheres(s, n, spacing);
+        ASSERT_EQ(set.count(), n);
+        for (std::size_t k = 0; k < set.radii.size(); ++k) {
+          const Vector3 c = set.centres[k];
+          EXPECT_GT(norm(c), 0.0);
+          for (const Vector3& image : {Vector3{-c.x, c.y, c.z}, {c.x, -c.y, c.z}, {c.x, c.y, -c.z}})
+            EXPECT_TRUE(holds(set, image, set.radii[k], 1e-15)) << word_of(spacing) << " " << k;
+        }
+        const double share = share_in_one(s, set, 200);
+        EXPECT_LT(share, 1.1 * share_in_one(s, make_ellipsoid_spheres(s, n - 3, spacing), 200))
+            << word_of(spacing) << " " << n;
+      }
+}
+
+TEST(EllipsoidSpheres, EvenLevelsHoldEachOther) {
+  for (const Vector3& s : shapes) {
+    const SphereSet fine = make_ellipsoid_spheres(s, 200, SphereSpacing::medial);
+    for (int n = 30; n < 197; n += 22) {
+      const SphereSet set = make_ellipsoid_spheres(s, n, SphereSpacing::medial);
+      for (std::size_t k = 2; k + 2 < set.radii.size(); ++k) // but for the pair about the centre
+        EXPECT_TRUE(holds(fine, set.centres[k], set.radii[k], 1e-15)) << n << " " << k;
+      const double apart = norm(set.centres[0] - set.centres[1]);
+      EXPECT_GT(apart, 0.03 * set.radii[0]) << n; // two spheres, not one twice
+    }
+  }
+}
+
+/// Two spheres: of all pairs of inscribed ones on the axis that leave a gap within 1.25 times the
+/// smallest one those farthest apart.
+TEST(EllipsoidSpheres, ThePairOfTwo) {
+  const double a = 1.4, b = 1.0;
+  const SphereSet set = make_ellipsoid_spheres({a, b, b}, 2, SphereSpacing::medial);
+  const auto gap_of = [&](double x) {
+    const double r = b * std::sqrt(1.0 - x * x / (a * a - b * b)); // eq. (4)
+    double gap = 0.0;
+    for (const Vector3& p : surface_points({a, b, b}, 5000))
+      gap = std::max(gap, norm(Vector3{std::fabs(p.x), p.y, p.z} - Vector3{x, 0.0, 0.0}) - r);
+    return gap;
+  };
+  double farthest = 0.0;
+  std::vector<double> gaps;
+  for (int i = 1; i < 400; ++i)
+    gaps.push_back(gap_of((a * a - b * b) / a * i / 400.0));
+  const double best = *std::min_element(gaps.begin(), gaps.end());
+  for (int i = 1; i < 400; ++i)
+    if (gaps[static_cast<std::size_t>(i - 1)] <= 1.25 * best)
+      farthest = (a * a - b * b) / a * i / 400.0;
+  EXPECT_NEAR(std::fabs(set.centres[0].x), farthest, 0.01 * b);
+}
+
+TEST(EllipsoidSpheres, ARingWithAnOpenCentreIsRefused) {
+  int refused = 0;
+  for (const double c : {0.2, 0.3, 0.5, 0.7})
+    for (int n = 2; n < 24; n += 2) {
+      const SphereSet set =
+          place_ellipsoid_spheres({1.0, 1.0, c}, n, SphereSpacing::minimax_volume);
+      double depth = -1e300;
+      for (std::size_t k = 0; k < set.radii.size(); ++k)
+        depth = std::max(depth, set.radii[k] - norm(set.centres[k]));
+      const std::string error = error_of({1.0, 1.0, c}, n, SphereSpacing::minimax_volume);
+      refused += depth <= 0.0;
+      if (depth <= 0.0) {
+        EXPECT_NE(error.find("about the centre"), std::string::npos) << n;
+      }
+    }
+  EXPECT_GT(refused, 0);
+}
+
 TEST(EllipsoidSpheres, OtherSpacingsAreChains) {
   const SphereSet set = make_ellipsoid_spheres({2.35, 1.0, 1.0}, 13, SphereSpacing::paper);
   const MultisphereTemplate chain = make_multisphere(2.35, 1.0, 13);
@@ -197,14 +270,15 @@ TEST(EllipsoidSpheres, Refusals) {
   const auto medial = SphereSpacing::medial;
   EXPECT_NE(error_of({1.0, 1.0, 1.0}, 5, medial).find("1.000001 to 100"), std::string::npos);
   EXPECT_NE(error_of({1.0, 0.0, 1.0}, 5, medial).find("finite values > 0"), std::string::npos);
-  EXPECT_NE(error_of({2.0, 1.5, 1.0}, 4, medial).find("odd"), std::string::npos);
+  EXPECT_NE(error_of({2.0, 1.5, 1.0}, 0, medial).find("1 to 9999"), std::string::npos);
+  EXPECT_NE(error_of({2.35, 1.0, 1.0}, 4, SphereSpacing::paper).find("odd"), std::string::npos);
   EXPECT_NE(error_of({2.0, 1.5, 1.0}, 10001, medial).find("9999"), std::string::npos);
   EXPECT_NE(error_of({2.0, 1.5, 1.0}, 1001, SphereSpacing::minimax_volume).find("999"),
             std::string::npos);
   const std::string apart = error_of({5.0, 5.0, 1.0}, 5, medial);
-  const std::size_t named = apart.find("not one body; N = ");
+  const std::size_t named = apart.find("not one body about the centre; N = ");
   ASSERT_NE(named, std::string::npos) << apart;
-  EXPECT_EQ(error_of({5.0, 5.0, 1.0}, std::stoi(apart.substr(named + 18)), medial), "");
+  EXPECT_EQ(error_of({5.0, 5.0, 1.0}, std::stoi(apart.substr(named + 35)), medial), "");
 }
 
 } // namespace

@@ -34,6 +34,7 @@ struct Target {
   std::optional<Solid> solid;
   double unit = 1.0;
   std::string unit_name; ///< "c", the smallest semi-axis, or "r_V", of the ball of equal volume
+  std::optional<Vector3> semiaxes; ///< of an ellipsoid
 };
 
 std::string text_of_file(const std::string& path) {
@@ -166,8 +167,15 @@ void append_comparison(Row& row, const UnionMeasures& m, const SphereSet& set,
                  share_in_exactly_one(set, solid, comparison_columns)});
   length("largest_to_spheres", "outline to spheres, largest", d.largest_to_spheres);
   length("mean_to_spheres", "outline to spheres, mean", d.mean_to_spheres);
+  length("rms_to_spheres", "outline to spheres, rms", d.rms_to_spheres);
   length("largest_to_body", "spheres to outline, largest", d.largest_to_solid);
   length("mean_to_body", "spheres to outline, mean", d.mean_to_solid);
+  length("rms_to_body", "spheres to outline, rms", d.rms_to_solid);
+  if (target.semiaxes) {
+    const SectionFactors factors = section_factors(set, *target.semiaxes);
+    row.push_back({"area_shape_factor", "sf_A (26)", "", factors.area});
+    row.push_back({"perimeter_shape_factor", "sf_P (27)", "", factors.perimeter});
+  }
   row.push_back({"inertia_xx_ratio", "I_xx ratio", "", m.inertia.xx / solid.inertia.xx});
   row.push_back({"inertia_yy_ratio", "I_yy ratio", "", m.inertia.yy / solid.inertia.yy});
   row.push_back({"inertia_zz_ratio", "I_zz ratio", "", m.inertia.zz / solid.inertia.zz});
@@ -236,14 +244,15 @@ int run_needed(const SetOptions& options, const OutputOptions& output) {
 /// What is given as the body: a surface before an ellipsoid.
 Target target_of(const SetOptions& options, const std::optional<MeshClumps>& clumps) {
   if (clumps)
-    return {clumps->solid(), std::cbrt(0.75 * clumps->solid().volume / M_PI), "r_V"};
+    return {clumps->solid(), std::cbrt(0.75 * clumps->solid().volume / M_PI), "r_V", {}};
   if (options.semiaxes.empty())
     return {};
   for (const double axis : options.semiaxes)
     if (!std::isfinite(axis) || !(axis > 0.0))
       throw InputError("--semiaxes needs three finite values > 0");
   return {solid_ellipsoid(semiaxes_of(options)),
-          *std::min_element(options.semiaxes.begin(), options.semiaxes.end()), "c"};
+          *std::min_element(options.semiaxes.begin(), options.semiaxes.end()), "c",
+          semiaxes_of(options)};
 }
 
 } // namespace

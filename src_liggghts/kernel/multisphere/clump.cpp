@@ -12,6 +12,9 @@
 namespace ellipsoid {
 namespace {
 
+/// Volumes, moments and their products are finite and not 0 within these, in any unit.
+constexpr double smallest_length = 1e-30, largest_length = 1e30;
+
 /// Spheres of a file that shall touch do so to its digits: relative to the larger radius.
 constexpr double touching_tolerance = 1e-9;
 
@@ -49,6 +52,12 @@ void check_spheres(const SphereSet& set) {
     if (!std::isfinite(set.radii[k]) || !(set.radii[k] > 0.0))
       refuse(which + "the radius " + number(set.radii[k]) +
              "; a finite value > 0 is needed: correct it or leave the sphere out");
+    if (set.radii[k] < smallest_length || set.radii[k] > largest_length || norm(c) > largest_length)
+      refuse(which + "the centre " + number(c.x) + " " + number(c.y) + " " + number(c.z) +
+             " and the radius " + number(set.radii[k]) + "; radii from " + number(smallest_length) +
+             " to " + number(largest_length) +
+             " and no larger distances are allowed: choose "
+             "another unit");
   }
 }
 

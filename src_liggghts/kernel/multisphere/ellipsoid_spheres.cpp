@@ -36,11 +36,11 @@ void check_semiaxes(const Vector3& semiaxes) {
 
 void check_count(int count, SphereSpacing spacing) {
   const int largest = largest_count_of(spacing);
-  if (count >= 1 && count <= largest && count % 2 == 1)
+  if (count >= 1 && count <= largest)
     return;
   refuse("number of sub-spheres N = " + std::to_string(count) + "; with spacing " +
-         word_of(spacing) + " an odd number from 1 to " + std::to_string(largest) +
-         " is needed: choose one in this range");
+         word_of(spacing) + " 1 to " + std::to_string(largest) +
+         " are allowed: choose a number in this range");
 }
 
 /// Places of the semi-axes in descending order: which of x, y, z is a, b, c.
@@ -79,12 +79,15 @@ SphereSet planar_set(const Vector3& semiaxes, int count, SphereSpacing spacing) 
   return set;
 }
 
-bool is_one_body(const SphereSet& set) {
-  const std::vector<int> parts = connected_parts(set);
-  return *std::max_element(parts.begin(), parts.end()) == 0;
+/// Without a sphere in the centre it may be left open.
+bool holds_centre(const SphereSet& set) {
+  for (std::size_t k = 0; k < set.radii.size(); ++k)
+    if (norm(set.centres[k]) < set.radii[k])
+      return true;
+  return false;
 }
 
-/// A larger N, within a fifth of the smallest, whose spheres are one body; 0 if there is none.
+/// A larger N of the same parity, within a fifth of the smallest, that can be used; 0 if none.
 int connected_count(const Vector3& semiaxes, int count, SphereSpacing spacing) {
   for (int n = count + 2; n <= largest_count_of(spacing); n += std::max(2, n / 10 * 2))
     if (is_one_body(planar_set(semiaxes, n, spacing)))
@@ -95,13 +98,18 @@ int connected_count(const Vector3& semiaxes, int count, SphereSpacing spacing) {
 [[noreturn]] void refuse_apart(const Vector3& semiaxes, int count, SphereSpacing spacing) {
   const int enough = connected_count(semiaxes, count, spacing);
   refuse("with N = " + std::to_string(count) + " sub-spheres of spacing " + word_of(spacing) +
-         " at semi-axes " + text_of(semiaxes) + " the spheres are not one body; " +
+         " at semi-axes " + text_of(semiaxes) + " the spheres are not one body about the centre; " +
          (enough > 0 ? "N = " + std::to_string(enough) + " is enough"
                      : "no N up to " + std::to_string(largest_count_of(spacing)) +
                            " that was tried is enough: use a rounder body"));
 }
 
 } // namespace
+
+bool is_one_body(const SphereSet& set) {
+  const std::vector<int> parts = connected_parts(set);
+  return *std::max_element(parts.begin(), parts.end()) == 0 && holds_centre(set);
+}
 
 bool is_planar(SphereSpacing spacing) {
   return spacing == SphereSpacing::medial || spacing == SphereSpacing::minimax_volume;

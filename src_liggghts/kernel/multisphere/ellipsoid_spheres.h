@@ -22,16 +22,22 @@ bool is_planar(SphereSpacing spacing);
 ///
 /// `medial`: inscribed spheres, the centre first, then always where the gap to the ellipsoid is
 /// largest, in pairs on the ellipse's axes and in fours elsewhere; each level holds the last one.
-/// If four are next and two are left to place, the best pair on an axis is taken. `minimax_volume`:
-/// from there centres in the same plane and radii, for which the volume in exactly one of body and
+/// If four are next and two are left to place, the best pair on an axis is taken. For an even N it
+/// is the set of N - 1 with a pair on the longest axis instead of the centre sphere, as far apart
+/// as the largest gap stays within 1.25 times the smallest possible one. `minimax_volume`: from
+/// there centres in the same plane and radii, for which the volume in exactly one of body and
 /// ellipsoid is smallest (a local minimum). All other spacings are make_multisphere()'s: a > b = c,
 /// a along the body's x.
-/// @param[in] count N, odd, up to largest_set_count (largest_sphere_count for others than `medial`)
+/// @param[in] count N up to largest_set_count (largest_sphere_count for others than `medial`); odd
+///            for chains
 /// @throws std::invalid_argument one line: what, value, allowed range, remedy
 SphereSet make_ellipsoid_spheres(const Vector3& semiaxes, int count, SphereSpacing spacing);
 
-/// The same for the two planar spacings without the check that the spheres are one body.
+/// The same for the two planar spacings without the check of is_one_body().
 SphereSet place_ellipsoid_spheres(const Vector3& semiaxes, int count, SphereSpacing spacing);
+
+/// Whether the spheres are connected and one of them holds the origin.
+bool is_one_body(const SphereSet& set);
 
 /// The largest N of a spacing.
 int largest_count_of(SphereSpacing spacing);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 
 namespace ellipsoid {
 namespace {
@@ -41,13 +43,16 @@ std::vector<Candidate> candidates_on(const SortedSemiaxes& axes) {
   return candidates;
 }
 
-/// Mirror images are farther away from points with x, y >= 0.
+/// From the touching point to the sphere; its mirror images are farther away, as x, y >= 0.
+double gap_to(const Candidate& candidate, const MirroredSphere& sphere) {
+  const double dx = candidate.touching.x - sphere.x, dy = candidate.touching.y - sphere.y,
+               dz = candidate.touching.z;
+  return std::sqrt(dx * dx + dy * dy + dz * dz) - sphere.radius;
+}
+
 void place(std::vector<Candidate>& candidates, const MirroredSphere& sphere) {
-  for (Candidate& candidate : candidates) {
-    const double dx = candidate.touching.x - sphere.x, dy = candidate.touching.y - sphere.y,
-                 dz = candidate.touching.z;
-    candidate.gap = std::min(candidate.gap, std::sqrt(dx * dx + dy * dy + dz * dz) - sphere.radius);
-  }
+  for (Candidate& candidate : candidates)
+    candidate.gap = std::min(candidate.gap, gap_to(candidate, sphere));
 }
 
 /// Where the gap is largest among candidates of at most so many spheres.
@@ -58,6 +63,51 @@ const Candidate& next_of(const std::vector<Candidate>& candidates, int largest_c
         (!best || candidate.gap > best->gap * (1.0 + equal_gaps)))
       best = &candidate;
   return *best;
+}
+
+/// The pair on the longest axis that takes the centre sphere's place may leave a largest gap so
+/// many times the smallest possible one: what is gained is that the two are not one sphere twice.
+constexpr double room_of_pair = 1.25;
+
+/// Touching points to which the centre sphere, the first of those placed, is the nearest, with the
+/// gaps that the others leave; in `floor` the largest gap elsewhere.
+std::vector<Candidate> left_by_centre(const std::vector<Candidate>& candidates,
+                                      const std::vector<MirroredSphere>& placed, double& floor) {
+  std::vector<Candidate> open;
+  floor = 0.0;
+  for (const Candidate& candidate : candidates) {
+    Candidate other = candidate;
+    other.gap = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 1; k < placed.size(); ++k)
+      other.gap = std::min(other.gap, gap_to(candidate, placed[k]));
+    if (other.gap > candidate.gap)
+      open.push_back(other);
+    else
+      floor = std::max(floor, candidate.gap);
+  }
+  return open;
+}
+
+/// Instead of the centre sphere, of pairs within the room the one farthest apart.
+MirroredSphere pair_for_centre(const std::vector<Candidate>& candidates,
+                               const std::vector<MirroredSphere>& placed) {
+  double floor = 0.0, least = std::numeric_limits<double>::infinity();
+  const std::vector<Candidate> open = left_by_centre(candidates, placed, floor);
+  std::vector<std::pair<MirroredSphere, double>> pairs; // with the gaps they leave
+  for (const Candidate& pair : candidates) {
+    if (!(pair.sphere.x > 0.0) || pair.sphere.y > 0.0)
+      continue;
+    double gap = floor;
+    for (const Candidate& candidate : open)
+      gap = std::max(gap, std::min(candidate.gap, gap_to(candidate, pair.sphere)));
+    pairs.emplace_back(pair.sphere, gap);
+    least = std::min(least, gap);
+  }
+  MirroredSphere best;
+  for (const auto& [pair, gap] : pairs)
+    if (gap <= room_of_pair * least && pair.x > best.x)
+      best = pair;
+  return best;
 }
 
 } // namespace
@@ -74,10 +124,13 @@ std::vector<MirroredSphere> medial_spheres(const SortedSemiaxes& axes, int count
   std::vector<Candidate> candidates = candidates_on(axes);
   std::vector<MirroredSphere> placed{{0.0, 0.0, axes.c}};
   place(candidates, placed.back());
-  for (int left = count - 1; left > 0; left -= placed.back().count()) {
+  const int odd = count - 1 + count % 2;
+  for (int left = odd - 1; left > 0; left -= placed.back().count()) {
     placed.push_back(next_of(candidates, left).sphere);
     place(candidates, placed.back());
   }
+  if (odd < count)
+    placed.front() = pair_for_centre(candidates, placed);
   return placed;
 }
 

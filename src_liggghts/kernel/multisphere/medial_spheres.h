@@ -25,10 +25,10 @@ struct MirroredSphere {
 /// The inscribed sphere that touches the ellipsoid in (a w.x, b w.y, c w.z), |w| = 1, w >= 0.
 MirroredSphere inscribed_sphere(const SortedSemiaxes& axes, const Vector3& w);
 
-/// Spacing `medial` for N = count, odd.
+/// Spacing `medial` for N = count; an even N has no sphere in the centre.
 std::vector<MirroredSphere> medial_spheres(const SortedSemiaxes& axes, int count);
 
-/// Spacing `minimax_volume` for N = count, odd.
+/// Spacing `minimax_volume` for N = count; an even N has no sphere in the centre.
 std::vector<MirroredSphere> minimax_volume_spheres(const SortedSemiaxes& axes, int count);
 
 } // namespace ellipsoid

@@ -196,10 +196,12 @@ std::vector<MirroredSphere> largest_gains(const SortedSemiaxes& axes, int count,
     candidates.push_back(inscribed_sphere(axes, {rim, 0.0, ray.end.z / axes.c}));
     candidates.push_back(inscribed_sphere(axes, {0.0, rim, ray.end.z / axes.c}));
   }
-  std::vector<MirroredSphere> placed{{0.0, 0.0, axes.c}};
+  std::vector<MirroredSphere> placed;
+  if (count % 2 == 1)
+    placed.push_back({0.0, 0.0, axes.c});
   std::vector<double> reached;
   for (const Ray& ray : rays)
-    reached.push_back(exit_of(ray, placed.front()));
+    reached.push_back(placed.empty() ? 0.0 : exit_of(ray, placed.front()));
   const auto gain_of = [&](const MirroredSphere& sphere) { // for each sphere that it costs
     double gain = 0.0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -212,7 +214,7 @@ std::vector<MirroredSphere> largest_gains(const SortedSemiaxes& axes, int count,
   std::priority_queue<std::pair<double, std::size_t>> leaders;
   for (std::size_t k = 0; k < candidates.size(); ++k)
     leaders.push({gain_of(candidates[k]), k});
-  for (int left = count - 1; left > 0 && !leaders.empty();) {
+  for (int left = count - count % 2; left > 0 && !leaders.empty();) {
     const std::size_t k = leaders.top().second;
     leaders.pop();
     if (candidates[k].count() > left || candidates[k].count() == 1)

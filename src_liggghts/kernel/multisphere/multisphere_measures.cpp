@@ -32,26 +32,6 @@ double ellipsoid_volume_to(double a, double b, double x) {
   return (b / a) * (b / a) * sphere_volume_to(a, x);
 }
 
-struct Point {
-  double x, y;
-};
-
-/// Distance of a point from the ellipse's curve.
-double distance_from_ellipse(double a, double b, Point p) {
-  const double x = std::fabs(p.x), y = std::fabs(p.y);
-  if (y == 0.0)
-    return std::fabs(inscribed_radius(a, b, x));
-  // Foot (a^2 x/(t + a^2), b^2 y/(t + b^2)); its ellipse equation falls monotonically with t.
-  const auto equation = [&](double t) {
-    const double u = a * x / (t + a * a), v = b * y / (t + b * b);
-    return u * u + v * v - 1.0;
-  };
-  const double t = bisect(equation, -b * b + b * y, -b * b + std::hypot(a * x, b * y));
-  const double foot_y = b * b * y / (t + b * b);
-  const double foot_x = a * a * x / (t + a * a);
-  return std::hypot(x - foot_x, y - foot_y);
-}
-
 double outline_deviation(const MultisphereTemplate& chain, const std::vector<CutOffSphere>& parts) {
   const double a = chain.a, b = chain.b, focal_squared = (a - b) * (a + b);
   // A tip that falls short: the vertex is the ellipse's farthest point from the outline.
@@ -59,9 +39,9 @@ double outline_deviation(const MultisphereTemplate& chain, const std::vector<Cut
   for (const CutOffSphere& part : parts) {
     const auto k = static_cast<std::size_t>(part.sphere);
     const double centre = chain.centres[k], radius = chain.radii[k];
-    for (const double u : {part.from, part.to}) { // notches
-      const Point notch{centre + u, std::sqrt((radius - u) * (radius + u))};
-      largest = std::fmax(largest, distance_from_ellipse(a, b, notch));
+    for (const double u : {part.from, part.to}) {                   // notches
+      const double height = std::sqrt((radius - u) * (radius + u)); // of a notch
+      largest = std::fmax(largest, distance_from_ellipse(a, b, centre + u, height));
     }
     if (a * std::fabs(centre) >= focal_squared)
       continue;
@@ -96,6 +76,22 @@ double between(const MultisphereTemplate& chain, const std::vector<CutOffSphere>
 }
 
 } // namespace
+
+double distance_from_ellipse(double a, double b, double px, double py) {
+  const double x = std::fabs(px), y = std::fabs(py);
+  if (y == 0.0)
+    return std::fabs(inscribed_radius(a, b, x));
+  // Foot (a^2 x/(t + a^2 - b^2), b^2 y/t); its ellipse equation falls monotonically with t.
+  const double focal_squared = (a - b) * (a + b);
+  const auto equation = [&](double t) {
+    const double u = a * x / (t + focal_squared), v = b * y / t;
+    return u * u + v * v - 1.0;
+  };
+  const double t = bisect(equation, b * y, std::hypot(a * x, b * y));
+  const double foot_y = b * b * y / t;
+  const double foot_x = a * a * x / (t + focal_squared);
+  return std::hypot(x - foot_x, y - foot_y);
+}
 
 double arc_angle(double radius, double u) {
   return std::atan2(u, std::sqrt((radius - u) * (radius + u)));
@@ -207,6 +203,10 @@ MultisphereMeasures measure(const MultisphereTemplate& chain) {
   m.area_between = area_between(chain, parts);
   m.volume_between = volume_between(chain, parts);
   m.outline_deviation = outline_deviation(chain, parts);
+  const OutlineRoughness roughness = outline_roughness(chain, parts);
+  m.outline_mean = roughness.mean;
+  m.outline_rms = roughness.about_ellipse;
+  m.outline_rq = roughness.about_mean;
   return m;
 }
 

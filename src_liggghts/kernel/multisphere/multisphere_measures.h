@@ -18,6 +18,20 @@ struct OutlinePiece {
 std::vector<OutlinePiece> outline_pieces(const MultisphereTemplate& chain,
                                          const std::vector<CutOffSphere>& parts);
 
+/// Distance of the point (x, y) from the ellipse's curve (length).
+double distance_from_ellipse(double a, double b, double x, double y);
+
+/// Distances of the outline from the ellipse, positive outside, over the outline's length (length).
+struct OutlineRoughness {
+  double mean = 0.0;
+  double about_ellipse = 0.0; ///< root-mean-square
+  double about_mean = 0.0;    ///< root-mean-square of what the mean leaves: Rq of ISO 4287
+};
+
+/// By Simpson's rule over each arc on one side of the ellipse.
+OutlineRoughness outline_roughness(const MultisphereTemplate& chain,
+                                   const std::vector<CutOffSphere>& parts);
+
 /// Angle of the arc from the sphere's crest to the abscissa u from its centre, |u| <= radius (rad);
 /// unlike asin(u / radius) accurate near the ends.
 double arc_angle(double radius, double u);

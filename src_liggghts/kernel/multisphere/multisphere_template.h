@@ -98,6 +98,9 @@ struct MultisphereMeasures {
   double area_between = 0.0;      ///< area in exactly one of section and ellipse (length^2)
   double volume_between = 0.0;    ///< volume in exactly one of body and ellipsoid (length^3)
   double outline_deviation = 0.0; ///< largest distance between outline and ellipse (length)
+  double outline_mean = 0.0;      ///< mean distance over the outline, positive outside (length)
+  double outline_rms = 0.0;       ///< root-mean-square of these distances (length)
+  double outline_rq = 0.0;        ///< the same about their mean (length)
 };
 
 MultisphereMeasures measure(const MultisphereTemplate& chain);

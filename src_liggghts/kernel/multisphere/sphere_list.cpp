@@ -18,7 +18,21 @@ namespace {
   throw std::invalid_argument("list of spheres, line " + std::to_string(line) + ": " + what);
 }
 
+/// Lines end with \n, \r\n or \r; a byte order mark at the beginning says nothing here.
+std::string with_plain_lines(const std::string& text) {
+  const std::string mark = "\xEF\xBB\xBF";
+  std::string plain;
+  for (std::size_t i = text.compare(0, mark.size(), mark) == 0 ? mark.size() : 0; i < text.size();
+       ++i)
+    if (text[i] != '\r')
+      plain += text[i];
+    else if (i + 1 == text.size() || text[i + 1] != '\n')
+      plain += '\n';
+  return plain;
+}
+
 std::vector<std::string> words_of(std::string line) {
+  line.resize(std::min(line.size(), line.find('#')));
   for (char& c : line)
     if (c == ',' || c == ';')
       c = ' ';
@@ -44,20 +58,27 @@ std::optional<double> number_of(const std::string& word) {
 /// Where x, y, z and r stand in a line.
 using Columns = std::array<std::size_t, 4>;
 
+/// Of column k: x, y, z, r or radius.
+bool is_name(std::string word, std::size_t k) {
+  word.erase(std::remove(word.begin(), word.end(), '"'), word.end());
+  for (char& c : word)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return word == std::string(1, "xyzr"[k]) || (k == 3 && word == "radius");
+}
+
 /// From the words of the first line.
 Columns named_columns(int line, const std::vector<std::string>& words) {
   Columns columns{};
   for (std::size_t k = 0; k < 4; ++k) {
-    const auto found = std::find_if(words.begin(), words.end(), [k](std::string word) {
-      word.erase(std::remove(word.begin(), word.end(), '"'), word.end());
-      for (char& c : word)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      return word == std::string(1, "xyzr"[k]) || (k == 3 && word == "radius");
-    });
+    const auto found = std::find_if(words.begin(), words.end(),
+                                    [k](const std::string& word) { return is_name(word, k); });
     if (found == words.end())
       refuse(line, std::string("no column ") + "xyzr"[k] +
                        "; a first line of words names the columns x, y, z and r (or radius)");
     columns[k] = static_cast<std::size_t>(found - words.begin());
+    if (std::any_of(found + 1, words.end(),
+                    [&](const std::string& word) { return is_name(word, k); }))
+      refuse(line, std::string("two columns ") + "xyzr"[k] + "; leave one of the names out");
   }
   return columns;
 }
@@ -83,7 +104,7 @@ SphereList parse_sphere_list(const std::string& text) {
   SphereList list;
   std::optional<std::size_t> width; // of the first line
   Columns columns{0, 1, 2, 3};
-  std::istringstream lines(text);
+  std::istringstream lines(with_plain_lines(text));
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;

@@ -19,8 +19,8 @@ struct SphereList {
 };
 
 /// A sphere a line: x y z r, apart by spaces, tabs, commas or semicolons. Lines that begin with #,
-/// % or // and empty ones are left out; so is a first line of words, which says in which columns x,
-/// y, z and r (or radius) stand, where there are others.
+/// % or //, empty ones and what follows a # are left out; so is a first line of words, which says
+/// in which columns x, y, z and r (or radius) stand, where there are others.
 /// @throws std::invalid_argument one line: which line, what it has, what is needed
 SphereList parse_sphere_list(const std::string& text);
 
