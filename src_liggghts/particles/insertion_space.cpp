@@ -12,9 +12,11 @@
 #include "fix_property_atom.h"
 #include "force.h"
 #include "insertion/occupied_space.h"
+#include "math_extra_liggghts.h"
 #include "modify.h"
 #include "multisphere_particles.h"
 #include "pair_gran.h"
+#include "random_park.h"
 #include "region.h"
 
 #include <algorithm>
@@ -66,6 +68,7 @@ class InsertionSpace : private Pointers {
   void stay_within(Region* region) { within_ = region; }
   bool take(const ParticleToInsertEllipsoid& particle, const double* centre,
             const double* quaternion);
+  bool may_fit(const ParticleToInsertEllipsoid& particle, const double* centre);
 
  private:
   ellipsoid::OccupiedSpace space_;
@@ -77,6 +80,7 @@ class InsertionSpace : private Pointers {
   SolidBody solid_body(const PlainBody& body);
   void add_images(const PlainBody& body, const Box& room, bool itself);
   bool is_within_region(const SolidBody& body, const PlainBody& plain) const;
+  bool reaches_others(const SolidBody& body, const PlainBody& plain) const;
 };
 
 PlainBody InsertionSpace::plain_body(int i, const SubsphereProperties& properties) const {
@@ -196,8 +200,8 @@ bool InsertionSpace::is_within_region(const SolidBody& body, const PlainBody& pl
   return false;
 }
 
-bool InsertionSpace::take(const ParticleToInsertEllipsoid& particle, const double* centre,
-                          const double* quaternion) {
+PlainBody plain_body(const ParticleToInsertEllipsoid& particle, const double* centre,
+                     const double* quaternion) {
   PlainBody plain{};
   std::copy_n(centre, 3, plain.centre);
   std::copy_n(particle.shape_ins, 3, plain.semiaxes);
@@ -205,15 +209,38 @@ bool InsertionSpace::take(const ParticleToInsertEllipsoid& particle, const doubl
   plain.radius = particle.r_bound_ins;
   plain.subspheres = particle.subspheres;
   plain.spacing = static_cast<double>(particle.spacing);
-  const SolidBody body = solid_body(plain);
+  return plain;
+}
+
+/// New bodies of two ranks, and images, never meet.
+bool InsertionSpace::reaches_others(const SolidBody& body, const PlainBody& plain) const {
   const bool may_meet_others =
       comm->nprocs > 1 || domain->xperiodic || domain->yperiodic || domain->zperiodic;
-  if (may_meet_others && domain->dist_subbox_borders(plain.centre) < body.bounding_radius)
-    return false;
-  if ((within_ && !is_within_region(body, plain)) || !space_.is_free(body))
+  PlainBody copy = plain;
+  return may_meet_others && domain->dist_subbox_borders(copy.centre) < body.bounding_radius;
+}
+
+bool InsertionSpace::take(const ParticleToInsertEllipsoid& particle, const double* centre,
+                          const double* quaternion) {
+  const PlainBody plain = ellipsoid_host::plain_body(particle, centre, quaternion);
+  const SolidBody body = solid_body(plain);
+  if (reaches_others(body, plain) || (within_ && !is_within_region(body, plain)) ||
+      !space_.is_free(body))
     return false;
   space_.add(body);
   return true;
+}
+
+/// Whether another orientation may help a body that has no room here: never with spheres.
+bool InsertionSpace::may_fit(const ParticleToInsertEllipsoid& particle, const double* centre) {
+  const double upright[4] = {1.0, 0.0, 0.0, 0.0};
+  PlainBody plain = ellipsoid_host::plain_body(particle, centre, upright);
+  const SolidBody body = solid_body(plain);
+  if (!(body.inscribed_radius > 0.0 && body.inscribed_radius < body.bounding_radius) ||
+      reaches_others(body, plain) ||
+      (within_ && !within_->match_shrinkby_cut(plain.centre, body.inscribed_radius)))
+    return false;
+  return space_.is_free(inscribed_ball(body));
 }
 
 /// Of the insertion at hand: one after the other is made.
@@ -244,6 +271,36 @@ bool asks_for_room(ParticleToInsert* particle) {
 bool take_place(const ParticleToInsertEllipsoid& particle, const double* centre,
                 const double* quaternion) {
   return present_space()->take(particle, centre, quaternion);
+}
+
+void random_place(Region* region, ParticleToInsert* particle, double* place) {
+  const auto& body = *dynamic_cast<ParticleToInsertEllipsoid*>(particle);
+  // sets of spheres need not reach as far as their semi-axes say to all sides
+  const double least =
+      body.subspheres > 0 ? 0.0 : *std::min_element(body.shape_ins, body.shape_ins + 3);
+  constexpr int most_tries = 50; // a region may have no such place
+  for (int k = 0; k < most_tries; ++k) {
+    region->generate_random(place, true);
+    if (region->match_shrinkby_cut(place, least))
+      return;
+  }
+}
+
+int try_orientations(ParticleToInsert* particle, double* place, double* velocity, double* omega,
+                     double* quaternion, RegionNeighborList<interpolate_no>& near,
+                     RanPark* random) {
+  auto* body = dynamic_cast<ParticleToInsertEllipsoid*>(particle);
+  if (!present_space() || !body || body->has_orientation || !present_space()->may_fit(*body, place))
+    return 0;
+  constexpr int most_orientations = 29; // and the one before: bodies of aspect 3.5 are as dense as
+                                        // spheres then
+  for (int k = 0; k < most_orientations; ++k) {
+    MathExtraLiggghts::random_unit_quat(random, quaternion);
+    if (const int inserted =
+            body->check_near_set_x_v_omega(place, velocity, omega, quaternion, near))
+      return inserted;
+  }
+  return 0;
 }
 
 namespace {

@@ -9,6 +9,7 @@
 #define INSERTION_SPACE_H_
 
 #include "math/vector3.h"
+#include "region_neighbor_list.h"
 
 namespace LAMMPS_NS {
 class BoundingBox;
@@ -16,6 +17,7 @@ class Fix;
 class LAMMPS;
 class ParticleToInsert;
 class ParticleToInsertEllipsoid;
+class RanPark;
 class Region;
 } // namespace LAMMPS_NS
 
@@ -37,6 +39,18 @@ bool asks_for_room(LAMMPS_NS::ParticleToInsert* particle);
 /// @param[in] quaternion scalar first, unit
 bool take_place(const LAMMPS_NS::ParticleToInsertEllipsoid& particle, const double* centre,
                 const double* quaternion);
+
+/// A random place for the centre of a new body in a region that it must lie in wholly: where there
+/// are such, no closer to the region's surface than the body's smallest semi-axis.
+void random_place(LAMMPS_NS::Region* region, LAMMPS_NS::ParticleToInsert* particle, double* place);
+
+/// Other random orientations of a body that found no room at `place`, as long as the largest ball
+/// in the body would find some. Returns what particle->check_near_set_x_v_omega() does.
+/// @param[out] quaternion the last one that was tried
+int try_orientations(LAMMPS_NS::ParticleToInsert* particle, double* place, double* velocity,
+                     double* omega, double* quaternion,
+                     LAMMPS_NS::RegionNeighborList<LAMMPS_NS::interpolate_no>& near,
+                     LAMMPS_NS::RanPark* random);
 
 /// Says by name which templates could not be placed in full; stops if an insertion that is made
 /// only once has changed the composition of a mixture. Called on all ranks.

@@ -135,6 +135,25 @@ template <class Action> void for_points(const Pose& pose, const Action& action) 
     }
 }
 
+TEST(SolidBody, WhatOverlapsTheInscribedBallOverlapsTheBody) {
+  Poses poses(11);
+  const MultisphereBody slender(make_multisphere(2.7, 1.0, 9));
+  int found[2] = {0, 0};
+  for (int k = 0; k < 4000; ++k) {
+    const Pose pose = poses.pose(1.5, 0.2, 1.0), other = poses.pose(1.5, 0.2, 1.0);
+    const SolidBody chain = chain_at(slender, poses.place(1.5), normalized(poses.place(1.0)), 0.3);
+    const Vector3& s = pose.semiaxes;
+    EXPECT_EQ(inscribed_ball(pose.body()).bounding_radius, std::min({s.x, s.y, s.z}));
+    EXPECT_EQ(inscribed_ball(chain).bounding_radius, 0.3 * slender.radius(4));
+    for (const SolidBody& body : {pose.body(), chain}) {
+      const bool ball_does = overlap(inscribed_ball(body), other.body());
+      EXPECT_TRUE(!ball_does || overlap(body, other.body()));
+      ++found[ball_does];
+    }
+  }
+  EXPECT_GT(std::min(found[0], found[1]), 500);
+}
+
 TEST(SolidBody, LiesWithinBlockBallAndCylinder) {
   Poses poses(99);
   constexpr double margin = 2e-3; // points miss the farthest one by less

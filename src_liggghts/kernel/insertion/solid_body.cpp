@@ -24,8 +24,27 @@ template <class Test> bool all_spheres(const SolidBody& body, const Test& test) 
   return true;
 }
 
+/// Support of a smooth body along a vector, times the vector's length (length^2).
+double support_times_length(const EllipsoidShape& shape, const Vector3& along) {
+  return std::sqrt(dot(along, shape.a_matrix * along));
+}
+
+/// Of the largest ball about the centre within one of the spheres; 0: none has the centre.
+double inscribed_radius(const MultispherePose& pose) {
+  if (pose.body->is_chain()) // the middle one of an odd number
+    return pose.scale * pose.body->radius(pose.body->count() / 2);
+  double largest = 0.0;
+  for (int k = 0; k < pose.body->count(); ++k)
+    largest = std::max(largest, pose.body->radius(k) - norm(pose.body->place(k)));
+  return pose.scale * largest;
+}
+
 /// Of a body of spheres with a smooth one.
 bool spheres_overlap(const SolidBody& spheres, const SolidBody& smooth) {
+  if (smooth.inscribed_radius >= smooth.bounding_radius)
+    return !all_spheres(spheres, [&smooth](const Vector3& centre, double radius) {
+      return norm(smooth.centre - centre) > smooth.bounding_radius + radius;
+    });
   return !all_spheres(spheres, [&smooth](const Vector3& centre, double radius) {
     const EllipsoidShape sphere = make_shape({radius, radius, radius}, {});
     return find_contact(sphere, smooth.shape, smooth.centre - centre).status ==
@@ -77,23 +96,36 @@ SolidBody smooth_body(const Vector3& centre, const Vector3& semiaxes,
                       const Quaternion& orientation) {
   return {centre,
           std::max({semiaxes.x, semiaxes.y, semiaxes.z}),
+          std::min({semiaxes.x, semiaxes.y, semiaxes.z}),
           make_shape(semiaxes, orientation),
           {}};
 }
 
 SolidBody multisphere_body(const Vector3& centre, const MultispherePose& pose) {
-  return {centre, pose.scale * pose.body->reach(), {}, pose};
+  return {centre, pose.scale * pose.body->reach(), inscribed_radius(pose), {}, pose};
+}
+
+SolidBody inscribed_ball(const SolidBody& body) {
+  const double r = body.inscribed_radius;
+  return smooth_body(body.centre, {r, r, r}, {});
 }
 
 bool overlap(const SolidBody& i, const SolidBody& j) {
   const Vector3 distance = j.centre - i.centre;
-  const double reach = i.bounding_radius + j.bounding_radius;
-  if (dot(distance, distance) > reach * reach)
+  const double square = dot(distance, distance), reach = i.bounding_radius + j.bounding_radius;
+  if (square > reach * reach)
     return false;
+  const double within = i.inscribed_radius + j.inscribed_radius;
+  if (square < within * within)
+    return true;
   if (i.is_smooth() != j.is_smooth())
     return i.is_smooth() ? spheres_overlap(j, i) : spheres_overlap(i, j);
-  if (i.is_smooth())
+  if (i.is_smooth()) {
+    // a plane across the line of centres parts them: the supports along it do not reach
+    if (support_times_length(i.shape, distance) + support_times_length(j.shape, distance) < square)
+      return false;
     return find_contact(i.shape, j.shape, distance).status != ContactStatus::separated;
+  }
   bool touching = false;
   for_each_contact(i.spheres, j.spheres, distance,
                    [&touching](const SphereContact&) { touching = true; });

@@ -14,10 +14,11 @@
 namespace ellipsoid {
 
 struct SolidBody {
-  Vector3 centre;               ///< (length)
-  double bounding_radius = 0.0; ///< about the centre (length)
-  EllipsoidShape shape;         ///< of a smooth body
-  MultispherePose spheres;      ///< of one made of spheres; its `body` is null for a smooth body
+  Vector3 centre;                ///< (length)
+  double bounding_radius = 0.0;  ///< about the centre (length)
+  double inscribed_radius = 0.0; ///< of a ball about the centre within the body; 0: none (length)
+  EllipsoidShape shape;          ///< of a smooth body
+  MultispherePose spheres;       ///< of one made of spheres; its `body` is null for a smooth body
 
   bool is_smooth() const { return spheres.body == nullptr; }
 };
@@ -26,6 +27,10 @@ struct SolidBody {
 SolidBody smooth_body(const Vector3& centre, const Vector3& semiaxes,
                       const Quaternion& orientation);
 SolidBody multisphere_body(const Vector3& centre, const MultispherePose& pose);
+
+/// The ball of `inscribed_radius` > 0: where it has no room the body has none, however it is
+/// turned.
+SolidBody inscribed_ball(const SolidBody& body);
 
 /// Whether two bodies have a point in common, exactly.
 bool overlap(const SolidBody& i, const SolidBody& j);
