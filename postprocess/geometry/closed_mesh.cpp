@@ -2,6 +2,7 @@
 #include "closed_mesh.h"
 
 #include "input_error.h"
+#include "nested_surfaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,6 +103,7 @@ std::vector<Triangle3> checked_closed(std::vector<Triangle3> triangles, const st
   if (triangles.empty())
     throw InputError(name + ": no triangles; a closed surface is needed");
   check_edges(triangles, name);
+  triangles = surface_of_one_body(triangles, name);
   const MeshMeasures m = measure_mesh(triangles);
   const Vector3 size = m.box.upper - m.box.lower;
   if (!(std::fabs(m.volume) > 1e-9 * norm(size) * norm(size) * norm(size)))

@@ -334,6 +334,19 @@ def check_surfaces():
     points = np.random.default_rng(5).uniform((0, 0, 0), (3, 2, 1), (200000, 3))
     inside = in_union(points, centres, radii).mean()
     assert abs(float(row["volume_ratio"]) - inside) < 0.006, (row, inside)
+    # a box with a hollow, whichever way its surface is turned: no sphere reaches into it
+    for turn in (1, -1):
+        hollow = np.concatenate([box_triangles((4.0, 4.0, 4.0)), box_triangles((2.0, 2.0, 2.0))[:, ::turn] + 1.0])
+        write_stl("hollow.stl", hollow, True)
+        (row,) = rows_of("template", "--from", "hollow.stl", "--spheres", 60)
+        assert abs(float(row["volume_m3"]) / float(row["volume_ratio"]) - 56.0) < 1e-4, row
+        centres, radii = spheres_of("--from", "hollow.stl", "--subspheres", 60)
+        away = np.linalg.norm(np.maximum(np.abs(centres - 2.0) - 1.0, 0.0), axis=1)
+        assert np.all(away > radii - 1e-6)
+        points = np.random.default_rng(6).uniform(0, 4, (200000, 3))
+        solid = np.abs(points - 2.0).max(1) > 1.0
+        share = np.mean(in_union(points, centres, radii) != solid) * 64.0 / 56.0
+        assert abs(float(row["in_exactly_one"]) - share) < 0.006, (row, share)
     write("ball.csv", "1.5,1,0.5,0.5\n")
     (row,) = rows_of("template", "--clump", "ball.csv", "--from", "box.stl")
     assert abs(float(row["in_exactly_one"]) - (1.0 - np.pi / 6.0 / 6.0)) < 1e-3
@@ -347,6 +360,16 @@ def check_bad_surfaces():
     turned[4] = turned[4][::-1]
     write_stl("turned.stl", turned, False)
     assert "not closed" in post("template", "--from", "turned.stl", expect=1)[1]
+    pair = np.concatenate([box_triangles((1.0, 1.0, 1.0)), box_triangles((1.0, 1.0, 1.0)) + 3.0])
+    write_stl("pair.stl", pair, True)
+    _, error = post("template", "--from", "pair.stl", expect=1)
+    assert "2 bodies apart" in error and error.count("\n") == 1, error
+    pair = np.concatenate([box_triangles((1.0, 1.0, 1.0)), box_triangles((1.0, 1.0, 1.0)) + 0.5])
+    write_stl("cut.stl", pair, True)
+    assert "cut each other" in post("template", "--from", "cut.stl", expect=1)[1]
+    in_hollow = np.concatenate([box_triangles((size,) * 3) - 0.5 * size for size in (1.0, 3.0, 2.0)])
+    write_stl("in_hollow.stl", in_hollow, True)
+    assert "2 bodies apart in 3" in post("template", "--from", "in_hollow.stl", expect=1)[1]
     write("words.stl", "these are words\n")
     assert "STL file" in post("template", "--from", "words.stl", expect=1)[1]
     write_stl("box.stl", box_triangles((1.0, 1.0, 1.0)), True)
