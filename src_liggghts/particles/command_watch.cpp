@@ -12,6 +12,7 @@
 #include "lammps.h"
 #include "modify.h"
 #include "spin.h"
+#include "update.h"
 
 #include <algorithm>
 #include <cmath>
@@ -160,12 +161,21 @@ void check_present_styles(LAMMPS* lmp) {
     refuse_style(lmp, "pair_style", lmp->force->pair_style);
 }
 
-/// The host's superquadrics have other shapes, and nobody watches them.
-void check_atom_style(LAMMPS* lmp) {
+/// The host's superquadrics have other shapes, and nobody watches them. Contact laws are those of
+/// units in which a force is mass times acceleration.
+void check_atoms_and_units(LAMMPS* lmp) {
   const char* const pair = lmp->force->pair_style;
-  if (pair && std::string(pair) == "gran/ellipsoid" && !are_ellipsoids(lmp))
+  if (!pair || std::string(pair) != "gran/ellipsoid")
+    return;
+  if (!are_ellipsoids(lmp))
     lmp->error->all(FLERR, "pair_style gran/ellipsoid needs particles with shape: use atom_style "
                            "granular/ellipsoid");
+  if (lmp->force->ftm2v != 1.0)
+    lmp->error->all(FLERR, ("pair_style gran/ellipsoid does not work with units " +
+                            std::string(lmp->update->unit_style) +
+                            ", in which a force is no mass times acceleration; use 'units si', "
+                            "'cgs', 'lj', 'micro' or 'nano'")
+                               .c_str());
 }
 
 } // namespace
@@ -177,7 +187,7 @@ CommandWatch::CommandWatch(LAMMPS* lmp, const char* command, int count, char** a
     lmp->error->all(FLERR, "atom_style hybrid does not work with granular/ellipsoid, whose columns "
                            "it does not know; use 'atom_style granular/ellipsoid'");
   if (command_ == "run")
-    check_atom_style(lmp);
+    check_atoms_and_units(lmp);
   if (!are_ellipsoids(lmp))
     return;
   check_command(lmp, command_, arguments_);

@@ -111,7 +111,6 @@ class Scene:
         self.rows, self.counts = rows, np.array(counts)
         self.size = 0.65 * largest  # of a cell, before separate()
         self.temperatures = r.uniform(280.0, 420.0, len(rows))
-        self.largest = largest
         self.separate()
 
     def shape(self):
@@ -128,27 +127,52 @@ class Scene:
         return size * 2.2 ** r.uniform(-0.5, 0.5, 3), 0, 0
 
     def separate(self):
-        """Widens the cells until no overlap is deeper than 4 % of the smaller semi-axis."""
+        """Widens the cells until no overlap is deeper than 4 % of the smaller semi-axis; then bodies shrink in narrower
+        cells, so that many touch; a wall touches the lowest one."""
         jitter = self.random.uniform(-0.1, 0.1, (len(self.rows), 3))
         self.velocity = self.random.uniform(-1.0, 1.0, (len(self.rows), 3)) * 2.0
         self.omega = self.random.uniform(-1.0, 1.0, (len(self.rows), 3)) * 300.0
         shares = (np.array([row[0] for row in self.rows]) + 0.5 + jitter) / self.counts
-        for _ in range(200):
-            self.length = self.size * self.counts
-            room = np.where(self.periodic, 0.0, 2.5 * self.size)
-            self.low, self.high = -room, self.length + room
-            self.tilt = self.skew * self.length[[0, 0, 1]]
-            self.floor = 0.5 * self.size - 0.8 * self.largest if self.wall != "none" else None
-            xy, xz, yz = self.tilt
-            self.x = shares @ (np.diag(self.length) + [[0, 0, 0], [xy, 0, 0], [xz, yz, 0]])
-            frame, brute = self.first_frame(), self.brute_force()
-            deepest = max((c[3] / min(frame.axes[c[0]].min(), frame.axes[c[1]].min())
-                           for c in brute.contacts(frame).values()), default=0.0)
-            deepest = max(deepest, max((c[2] / frame.axes[c[0]].min()
-                                        for c in brute.wall_contacts(frame, 0.0).values()), default=0.0))
-            if deepest < 0.04:
-                return
-            self.size *= 1.02
+        self.floor = None
+        while self.place(shares) > 0.04:
+            self.size *= 1.03
+        self.size *= 0.7
+        while self.place(shares) > 0.04:
+            frame = self.first_frame()
+            for k in {max(c[:2], key=lambda k: frame.axes[k].max()) for c in self.deep(frame)}:
+                self.rows[k] = (*self.rows[k][:2], 0.98 * self.rows[k][2], *self.rows[k][3:])
+        if self.wall != "none":
+            self.floor = self.lowest(self.first_frame(), self.brute_force())
+
+    def place(self, shares):
+        """Puts the bodies, at `shares` of the box's edges, into a box of cells of the present size; returns the deepest
+        overlap over the smaller semi-axis."""
+        self.length = self.size * self.counts
+        room = np.where(self.periodic, 0.0, 2.5 * self.size)
+        self.low, self.high = -room, self.length + room
+        self.tilt = self.skew * self.length[[0, 0, 1]]
+        xy, xz, yz = self.tilt
+        self.x = shares @ (np.diag(self.length) + [[0, 0, 0], [xy, 0, 0], [xz, yz, 0]])
+        return max((c[2] for c in self.deep(self.first_frame(), 0.0)), default=0.0)
+
+    def deep(self, frame, limit=0.04):
+        """[(body, body, overlap over the smaller semi-axis)] of contacts beyond the limit."""
+        found = [(c[0], c[1], c[3] / min(frame.axes[c[0]].min(), frame.axes[c[1]].min()))
+                 for c in self.brute_force().contacts(frame).values()]
+        return [c for c in found if c[2] > limit]
+
+    @staticmethod
+    def lowest(frame, brute):
+        """Height of a floor into which the lowest body reaches by 2 % of its smallest semi-axis."""
+        heights = []
+        for k, axes in enumerate(frame.axes):
+            if frame.chains[k]:
+                centres, radii = brute.spheres(frame, k)
+                below = (radii - centres[:, 2]).max()
+            else:
+                below = np.linalg.norm(axes * frame.turn[k][2])
+            heights.append(frame.x[k, 2] - below + 0.02 * axes.min())
+        return float(min(heights))
 
     def first_frame(self):
         axes, clumps = np.array([row[2] for row in self.rows]), np.array([row[5] for row in self.rows])
@@ -193,6 +217,8 @@ class Scene:
                           {k + 1: (c.centres, c.radii) for k, c in enumerate(self.clumps)})
 
     def walls(self):
+        if self.floor is None:  # while the bodies are put apart
+            return []
         if self.wall == "sheared":
             return [Plane((0, 0, -1), lambda t: (0, 0, self.floor), (0.7, 0, 0))]
         if self.wall == "mesh":

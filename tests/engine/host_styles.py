@@ -54,7 +54,7 @@ def mentioned(kind, style):
     before = {"fix": r"fix \w+ \w+ ", "compute": r"compute \w+ \w+ ", "dump": r"dump \w+ \w+ ",
               "pair": "pair_style ", "integrate": "run_style ", "region": r"region \w+ ", "command": "",
               "mesh_module": r"fix \w+ \w+ mesh/surface/(?:\w+/)?"}[kind]
-    return re.search(f"`(?:[^`]* )?{before}{re.escape(style)}[ `]", page) is not None
+    return re.search(f"`{before}{re.escape(style)}[ `]", page) is not None
 
 
 class HostStyles(unittest.TestCase):

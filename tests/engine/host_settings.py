@@ -1,0 +1,113 @@
+"""Settings and commands of the host that must not change a force, or change it as they say: each step of a crowd of
+touching bodies against brute force, from positions and orientations alone (_brute_force.py). What cannot work stops in
+one line."""
+
+import re
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+from _brute_force import REPLAYED, BruteForce, Law, replay
+from _engine import Material, Particle, Setup, quaternion_of, read_dump, run, vectors
+
+LENGTHS = (8.7e-3, 5.8e-3, 5.8e-3)
+TIME_STEP, STEPS = 2e-6, 40
+MATERIAL = Material(5e7, 0.3)
+FORM = " ".join("%d" if c in ("id", "type") else "%.17g" for c in REPLAYED)
+LEFT = "region left block 0 2.9e-3 INF INF INF INF units box\n"
+
+
+def crowd():
+    random = np.random.default_rng(5)
+    return [Particle(tuple(2.9e-3 * (np.array((x, y, z)) + 0.5) + random.uniform(-1e-4, 1e-4, 3)),
+                     (1.4e-3, 1.65e-3, 1.5e-3), quaternion_of(random.normal(size=3), 2.0),
+                     tuple(random.normal(0, 0.6, 3)), tuple(random.normal(0, 200, 3)))
+            for x in range(3) for y in range(2) for z in range(2)]
+
+
+def script(commands="", change=("", ""), boundary="p p p"):
+    """`change`: a line of the head and what it becomes."""
+    setup = Setup(box=(0.0, LENGTHS[0], 0.0, LENGTHS[1], 0.0, LENGTHS[2]), boundary=boundary, skin=3e-4, friction=0.5,
+                  materials=[MATERIAL], time_step=TIME_STEP, damping_normal=300.0, damping_tangential=200.0)
+    text = setup.with_particles(crowd(), "crowd.data")
+    if change[0] not in text:
+        raise AssertionError(f"no '{change[0]}' in the script")
+    return (text.replace(*change, 1) if change[0] else text) + (
+        "fix motion all nve/ellipsoid\nthermo_modify lost error\n" + commands)
+
+
+class HostSettings(unittest.TestCase):
+    def check(self, text, ranks=1, boundary="p p p", runs=f"run {STEPS}\n", least=10 * STEPS):
+        """`runs` must not set up a run while contacts have springs: that evaluates forces once more."""
+        Path("d.dump").unlink(missing_ok=True)
+        run(text + f"dump d all custom 1 d.dump {' '.join(REPLAYED)}\ndump_modify d sort id format \"{FORM}\"\n" + runs,
+            ranks)
+        frames = vectors(read_dump("d.dump")[1], *REPLAYED)
+        periods = [length if letter == "p" else np.inf for length, letter in zip(LENGTHS, boundary.split())]
+        brute = BruteForce(Law([(MATERIAL.youngs_modulus, MATERIAL.poissons_ratio)], [[0.5]], [[300.0]], [[200.0]],
+                               TIME_STEP), periods)
+        contacts = 0
+        for values, (force, torque, rows) in zip(frames, replay(brute, frames, TIME_STEP)):
+            contacts += len(rows)
+            for found, expected in ((values[:, 19:22], force), (values[:, 22:25], torque)):
+                np.testing.assert_allclose(found, expected, rtol=0, atol=1e-10 * np.abs(expected).max())
+        self.assertGreater(contacts, least)
+        return frames
+
+    def refused(self, text, pattern, runs="run 1\n"):
+        outcome = run(text + runs, check=False)
+        self.assertNotEqual(outcome.code, 0, pattern)
+        (line,) = [line for line in outcome.text.splitlines() if line.startswith("ERROR")]
+        self.assertRegex(line, pattern)
+
+    def test_heads(self):
+        communicate, newton, modify = (
+            re.search(f"^{word} .*", script(), re.M).group(0) for word in ("communicate", "newton", "atom_modify"))
+        changes = [(communicate, "communicate multi vel yes"), (communicate, "communicate single cutoff 1e-4 vel yes"),
+                   (modify, "atom_modify map array sort 1 1e-3"), (modify, "atom_modify map hash sort 0 0"),
+                   (modify, "atom_modify map array first all"), (newton, newton + "\nprocessors 1 * 1"),
+                   (" bin", " nsq"), ("units           si", "units micro")]
+        for number, change in enumerate(changes):
+            self.check(script(change=change), ranks=1 + number % 2)
+        for unit in ("cgs", "lj", "nano"):
+            self.check(script(change=("units           si", f"units {unit}")))
+        for change, pattern in (((newton, "newton on"), "requires newton pair off"),
+                                ((communicate, "communicate single vel no"), "requires ghost atoms store velocity"),
+                                ((modify, modify + "\ndimension 2"), "2D are not implemented"),
+                                *((("units           si", f"units {u}"), f"units {u}.*use 'units si'")
+                                  for u in ("electron", "real", "metal"))):
+            self.refused(script(change=change), pattern)
+
+    def test_lists_and_runs(self):
+        for commands in ("neigh_modify every 20 delay 20 check no\n", "neigh_modify binsize 1e-3\n",
+                         "neigh_modify once yes\n", "force_dt_reset yes\n", "thermo 0\n"):
+            self.check(script(commands))
+        self.check(script(), runs="run 20 pre yes post no\nrun 20 pre no post no\n")
+        self.check(script(), runs="run 40 start 0 stop 200\n")
+        for boundary in ("s s s", "m p f", "p p fm"):
+            self.check(script(boundary=boundary), 2 if boundary == "s s s" else 1, boundary, least=5 * STEPS)
+
+    def test_changes_of_particles(self):
+        by_place = "variable speed atom 200*x\nrun 0\n"
+        for commands in (LEFT + "run 0\ndelete_atoms region left\n",
+                         LEFT + "run 0\nset region left vx 0.3 omegay 20\n", "run 0\nset atom 2 x 1.5e-3\n",
+                         by_place + "set group all vx v_speed\nset group all omegaz v_speed\n",
+                         "variable a atom 0.0014+0.00001*id\nrun 0\nset group all shape v_a 0.0014 0.0015\n",
+                         "variable angle atom id*10\nset group all quat 0 1 1 v_angle\n",
+                         "set group all quat/random 49999\n", "set group all image 1 0 -1\n",
+                         "run 0\nset atom 3 shape 0.0013 0.0016 0.0014 density 2000 quat 1 2 3 40 omegax 30 vx 0.1\n",
+                         "run 0\nset atom 3 mass 2e-5 omegay 3\n"):
+            self.check(script(commands))
+        self.check(script("region whole block INF INF INF INF INF INF units box\nrun 0\n"
+                          "delete_atoms porosity whole 0.3 48611\n"), least=3 * STEPS)
+        for commands, pattern in (("set atom 3 shape 0 0 0\n", "semi-axes 0 0 0"),
+                                  ("lattice sc 0.001\ncreate_atoms 1 random 3 48611 NULL\n", "add 'set ... shape a b c'"),
+                                  ("set atom 2 x 0.1\n", "Lost atoms"),
+                                  ("rotate 1 2 3\n", "does nothing in this host"),
+                                  ("replicate 2 1 1\n", "use 'fix insert/pack'")):
+            self.refused(script("run 0\n" + commands), pattern)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
