@@ -280,7 +280,8 @@ class Scene:
         if self.wall == "none":
             return ""
         if self.wall == "sheared":
-            return f"{wall} primitive type 1 zplane {self.floor!r} shear x 0.7{hot} {self.settings(True)}\n"
+            tilted = " allow_special_domain_periodic yes" if self.is_tilted else ""
+            return f"{wall} primitive type 1 zplane {self.floor!r} shear x 0.7{hot}{tilted} {self.settings(True)}\n"
         x, y, z = map(float, self.hinge())
         move = {"mesh": f"linear 0. 0. {LIFT}",
                 "turning": f"rotate origin {x!r} {y!r} {z!r} axis 0. 1. 0. period {2.0 * math.pi / TURN!r}"}[self.wall]
