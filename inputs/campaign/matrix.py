@@ -127,7 +127,8 @@ def runs_of(options, known, common):
     by_surface = options.surfaces is not None or (not axes and is_piling and "surface" not in common)
     if by_surface:
         axes.insert(0, surface_choices(options.surfaces or "smooth 5"))
-    if seeds := seed_choices(options.seeds, known, is_piling and "seed" not in common):
+    has_seed = "seed" in common or any(name == "seed" for axis in axes for row in axis for name, _ in row)
+    if seeds := seed_choices(options.seeds, known, is_piling and not has_seed):
         axes.append(seeds)
     runs, names = [], set()
     for combination in itertools.product(*axes):

@@ -12,6 +12,7 @@
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "pair_gran_ellipsoid.h"
+#include "update.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +49,7 @@ FixContactHistoryEllipsoid::FixContactHistoryEllipsoid(LAMMPS* lmp, int narg, ch
     error->fix_error(FLERR, this, "is made by pair_style gran/ellipsoid; remove this command");
   restart_peratom = 1;
   create_attribute = 1;
+  force_reneighbor = 1;
   atom->add_callback(0);
   atom->add_callback(1);
 }
@@ -57,7 +59,14 @@ FixContactHistoryEllipsoid::~FixContactHistoryEllipsoid() {
   atom->delete_callback(id, 1);
 }
 
-int FixContactHistoryEllipsoid::setmask() { return FixConst::PRE_EXCHANGE; }
+int FixContactHistoryEllipsoid::setmask() {
+  return FixConst::POST_INTEGRATE | FixConst::PRE_EXCHANGE;
+}
+
+void FixContactHistoryEllipsoid::post_integrate() {
+  if (pair().lists_are_outdated())
+    next_reneighbor = update->ntimestep;
+}
 
 PairGranEllipsoid& FixContactHistoryEllipsoid::pair() const {
   return *static_cast<PairGranEllipsoid*>(force->pair);
@@ -79,6 +88,7 @@ FixContactHistoryEllipsoid::Saved& FixContactHistoryEllipsoid::room_for(int i) {
 void FixContactHistoryEllipsoid::pre_exchange() {
   save();
   reserve_exchange();
+  pair().prepare_candidates();
 }
 
 /// In a box that two images of a partner fit into, all contacts: the images differ by where they

@@ -3,7 +3,8 @@
 // fix contacthistory/ellipsoid: made by pair_style gran/ellipsoid. While neighbour lists are made
 // anew it keeps the contact histories that the host would lose or mix up: those of contacts beyond
 // the room that the host gives a pair, and, in short periodic boxes, those of the several images
-// of a partner, which the host does not tell apart. (The host calls fixes whose style begins with
+// of a partner, which the host does not tell apart. It also has lists that hold the pairs near by
+// true shape made anew in time (near_candidates.h). (The host calls fixes whose style begins with
 // `contacthistory` before particles come and go.)
 #ifdef FIX_CLASS
 // clang-format off
@@ -34,6 +35,8 @@ class FixContactHistoryEllipsoid : public Fix, public ellipsoid_host::KnowsNumbe
   /// The pairs have got what the host's fix keeps, which does not tell images from each other.
   void give_back_again() { are_to_be_given_ = true; }
 
+  /// Has lists that are outdated made anew in this step.
+  void post_integrate() override;
   void pre_exchange() override;
   void setup_pre_exchange() override { pre_exchange(); }
 

@@ -329,6 +329,10 @@ void PairGranEllipsoid::add_forces(int eflag, int vflag, bool for_list) {
   warn_of_searches();
 }
 
+void PairGranEllipsoid::prepare_candidates() {
+  near_candidates_.prepare(*lmp, contacts_->lie_within_ellipsoids());
+}
+
 void PairGranEllipsoid::write_restart_settings(FILE* file) {
   const std::int64_t head[] = {hashcode(), arguments_mark,
                                static_cast<std::int64_t>(arguments_.size())};

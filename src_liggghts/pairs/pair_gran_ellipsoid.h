@@ -13,7 +13,7 @@ PairStyle(gran/ellipsoid,PairGranEllipsoid)
 #include "ellipsoid_contact_caller.h"
 #include "host_pair.h"
 #include "more_history.h"
-#include "near_by_size.h"
+#include "near_candidates.h"
 
 #include <memory>
 #include <string>
@@ -56,11 +56,15 @@ class PairGranEllipsoid : public ellipsoid_host::HostPairStyle,
   double* history(double* in_list, int place) const;
   /// The host's fix is about to keep the histories.
   void keep_histories();
-  /// See near_by_size.h.
-  ellipsoid_host::NearBySize* near_by_size(int i) {
+  /// Before new lists are made, on all ranks: see near_candidates.h.
+  void prepare_candidates();
+  /// After particles have moved, on all ranks: whether the lists may lack a pair that touches.
+  bool lists_are_outdated() const { return near_candidates_.are_outdated(*lmp); }
+  /// See near_candidates.h.
+  ellipsoid_host::NearCandidates* near_candidates(int i) {
     if (i == 0)
-      sizes_differ_ = near_by_size_.begin(*lmp);
-    return sizes_differ_ ? &near_by_size_ : nullptr;
+      bins_serve_badly_ = near_candidates_.begin(*lmp);
+    return bins_serve_badly_ ? &near_candidates_ : nullptr;
   }
   FixContactHistory* contact_history() const { return fix_history; }
   /// Where a value of the history of a contact begins.
@@ -82,8 +86,8 @@ class PairGranEllipsoid : public ellipsoid_host::HostPairStyle,
   LIGGGHTS::MoreHistory more_history_;
   class FixContactHistoryEllipsoid* history_keeper_ = nullptr;
   LIGGGHTS::ContactCounts counts_;
-  ellipsoid_host::NearBySize near_by_size_;
-  bool sizes_differ_ = false;
+  ellipsoid_host::NearCandidates near_candidates_;
+  bool bins_serve_badly_ = false;
   std::string arguments_; // empty: of an older restart file, which does not have them
   bool warned_ = false;
   std::string told_;      // what was last said of batches

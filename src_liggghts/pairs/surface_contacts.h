@@ -20,6 +20,8 @@ class SurfaceContacts {
   /// @param[in] is_time_step false: forces are computed for the same moment again, as when a run is
   ///            set up, which leaves no trace in what is remembered
   virtual ContactCounts compute(PairForces& forces, bool is_time_step) = 0;
+  /// Whether no point of contact can be outside of both particles' ellipsoids.
+  virtual bool lie_within_ellipsoids() const { return false; }
   /// Where histories are whose numbers the host's lists hold; null: the lists hold the histories.
   virtual const HistoryRows* history_rows() const { return nullptr; }
   /// When the lists are new: pairs that touched get back what the host's fix has kept.

@@ -206,7 +206,7 @@ class Bench:
         def make(file):
             count = group.particles if group.case == "sizes" else COUNT
             self.run(poured.pour(shape, poured.kinds(group.case, group.aspect), count, side))
-            file.write_text(poured.data_of(self.run_folder / "settled.dump", shape, side))
+            file.write_text(poured.data_of(self.run_folder / "settled.dump", shape, side, count))
         file = self.state(f"{name}.{shape.start}.data", make)
         if group.case == "sizes":
             return file

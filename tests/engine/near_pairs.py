@@ -98,16 +98,16 @@ def many_sizes():
     return bodies
 
 
-def simulate(name, planar, axes, skin, ranks, bodies=None, style="bin"):
+def simulate(name, planar, axes, skin, ranks, bodies=None, style="bin", sheared=True, rebuilds=""):
     """Forces and torques (F, N, 6) of each fifth step; touching pairs, those in the lists and near by shape."""
     box = (0.0, SIDE, 0.0, SIDE, -SIDE, SIDE) if planar else (0.0, SIDE) * 3
     setup = Setup(box=box, boundary="p p f" if planar else "p p p", skin=skin, time_step=2e-6)
     script = setup.with_particles(bodies or crowd(planar, axes), f"{name}.data").replace(" bin\n", f" {style}\n", 1)
-    if not planar and not bodies:
+    if not planar and not bodies and sheared:
         script = script.replace("neighbor ", "change_box all triclinic\nneighbor ", 1)
         script += "fix shear all deform 1 xy erate 300.0 remap v\n"
     script += f"""fix motion all nve/ellipsoid{' planar yes' if planar else ''}
-neigh_modify page 1000000 one 10000
+neigh_modify page 1000000 one 10000 {rebuilds}
 compute search all contacts/ellipsoid
 fix search all ave/time 1 1 1 c_search[1] c_search[3] c_search[7] file {name}.txt
 {dump(f"{name}.dump", 5)}run {STEPS}
@@ -115,6 +115,15 @@ fix search all ave/time 1 1 1 c_search[1] c_search[3] c_search[7] file {name}.tx
     run(script, ranks, name=f"in.{name}")
     _, columns = read_dump(f"{name}.dump")
     return vectors(columns, "fx", "fy", "fz", "tqx", "tqy", "tqz"), np.loadtxt(f"{name}.txt")[:, 1:]
+
+
+def bounding_pairs(file, planar, reach):
+    """Pairs of centres (images counted one by one) that are nearer than `reach` in the first frame."""
+    _, columns = read_dump(file)
+    places = vectors(columns, "x", "y", "z")[0]
+    images = np.array([(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in ((0,) if planar else (-1, 0, 1))])
+    ways = places[:, None, None] + SIDE * images - places[None, :, None]
+    return (np.count_nonzero(np.linalg.norm(ways, axis=3) < reach) - len(places)) // 2
 
 
 class NearPairs(unittest.TestCase):
@@ -145,6 +154,28 @@ class NearPairs(unittest.TestCase):
                 self.assertGreater(touching, 0.3 * len(counts))
                 self.assertLess(near, 0.5 * listed)
                 self.assertGreater(len(np.unique(counts[:, 2])), 5, "pairs were hardly chosen again")
+                self.assertLess(error.max(), 1e-7)
+
+    def test_lists_by_true_shape_are_made_anew_in_time(self):
+        """The host is told never to make new lists: centres stay within half the skin, the tips don't."""
+        skin = 1.2e-3
+        for name, planar, axes, share in (("tips", False, (4e-3, 2.5e-4, 2.5e-4), 0.9),
+                                          ("rims", False, (2e-4, 2e-3, 2.5e-3), 1.0),
+                                          ("turning", True, (3e-3, 2e-4, 4e-4), 0.9)):
+            expected, all_pairs = simulate(f"{name}.wide", planar, axes, 0.02, 1, sheared=False)
+            spheres = bounding_pairs(f"{name}.wide.dump", planar, 2.0 * max(axes) + skin)
+            for ranks in 1, 2, 4:
+                forces, counts = simulate(f"{name}.{ranks}", planar, axes, skin, ranks, sheared=False,
+                                          rebuilds="delay 0 every 1000000 check no")
+                touching, listed = counts[:, 0].mean(), counts[:, 1].mean()
+                error = np.abs(forces - expected).max((0, 1)) / np.abs(expected).max((0, 1)).clip(1e-300)
+                lists = 1 + np.count_nonzero(np.diff(counts[:, 1]))
+                print(f"{name} on {ranks} ranks: {touching:.1f} touching, {listed:.0f} in the lists, {spheres} by bounding "
+                      f"spheres; {lists} lists or more; forces differ by {error.max():.1e}")
+                np.testing.assert_array_equal(counts[:, 0], all_pairs[:, 0])
+                self.assertGreater(touching, 0.2)
+                self.assertLessEqual(listed, share * spheres)
+                self.assertGreater(lists, 3)
                 self.assertLess(error.max(), 1e-7)
 
     def test_many_sizes_as_by_trying_all_pairs(self):

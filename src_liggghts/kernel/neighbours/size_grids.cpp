@@ -72,15 +72,18 @@ void SizeGrids::Grid::shape(const Vector3& first, const Vector3& last, double ed
   begins.assign(all + 1, 0);
 }
 
-void SizeGrids::Grid::sort_in(const std::vector<Member>& bodies) {
-  for (const Member& body : bodies)
-    ++begins[cell_of(body.centre) + 1];
+void SizeGrids::Grid::sort_in(const std::vector<int>& numbers, const std::vector<Body>& bodies) {
+  const auto cell_of_body = [this, &bodies](int number) {
+    return cell_of(bodies[static_cast<std::size_t>(number)].centre);
+  };
+  for (const int number : numbers)
+    ++begins[cell_of_body(number) + 1];
   for (std::size_t k = 1; k < begins.size(); ++k)
     begins[k] += begins[k - 1];
   std::vector<std::uint32_t> next(begins.begin(), begins.end() - 1);
-  members.resize(bodies.size());
-  for (const Member& body : bodies)
-    members[next[cell_of(body.centre)]++] = body;
+  members.resize(numbers.size());
+  for (const int number : numbers)
+    members[next[cell_of_body(number)]++] = {bodies[static_cast<std::size_t>(number)], number};
 }
 
 void SizeGrids::build(const double* centres, const double* radii, std::size_t count,
@@ -91,24 +94,25 @@ void SizeGrids::build(const double* centres, const double* radii, std::size_t co
   if (count == 0)
     return;
   const double largest = *std::max_element(radii, radii + count);
-  std::vector<std::vector<Member>> classes(largest_class + 1);
+  std::vector<std::vector<int>> classes(largest_class + 1);
   Vector3 first{centres[0], centres[1], centres[2]}, last = first;
+  bodies_.reserve(count);
   for (std::size_t k = 0; k < count; ++k) {
-    bodies_.push_back(
-        {{centres[3 * k], centres[3 * k + 1], centres[3 * k + 2]}, radii[k], static_cast<int>(k)});
+    bodies_.push_back({{centres[3 * k], centres[3 * k + 1], centres[3 * k + 2]}, radii[k]});
     first = lower(first, bodies_[k].centre);
     last = upper(last, bodies_[k].centre);
-    classes[static_cast<std::size_t>(class_of(radii[k], largest))].push_back(bodies_[k]);
+    classes[static_cast<std::size_t>(class_of(radii[k], largest))].push_back(static_cast<int>(k));
   }
-  for (const std::vector<Member>& members : classes) {
-    if (members.empty())
+  for (const std::vector<int>& numbers : classes) {
+    if (numbers.empty())
       continue;
     grids_.emplace_back();
     Grid& grid = grids_.back();
-    for (const Member& member : members)
-      grid.largest_radius = std::max(grid.largest_radius, member.radius);
-    grid.shape(first, last, grid.largest_radius * reach.factor + 0.5 * reach.skin, members.size());
-    grid.sort_in(members);
+    for (const int number : numbers)
+      grid.largest_radius =
+          std::max(grid.largest_radius, bodies_[static_cast<std::size_t>(number)].radius);
+    grid.shape(first, last, grid.largest_radius * reach.factor + 0.5 * reach.skin, numbers.size());
+    grid.sort_in(numbers, bodies_);
   }
 }
 
@@ -119,7 +123,7 @@ const std::vector<int>& SizeGrids::find(int i) {
   return near_;
 }
 
-void SizeGrids::find_in(const Grid& grid, int i, const Member& own) {
+void SizeGrids::find_in(const Grid& grid, int i, const Body& own) {
   const double way =
       (1.0 + rounding) * (reach_.factor * (own.radius + grid.largest_radius) + reach_.skin);
   int first[3], last[3];
@@ -135,15 +139,24 @@ void SizeGrids::find_in(const Grid& grid, int i, const Member& own) {
   for (int z = first[2]; z <= last[2]; ++z)
     for (int y = first[1]; y <= last[1]; ++y) {
       const std::uint32_t* begins = &grid.begins[row(y, z)];
-      for (std::uint32_t k = begins[first[0]], end = begins[last[0] + 1]; k < end; ++k) {
-        const Member& other = grid.members[k];
-        const Vector3 distance = other.centre - own.centre;
-        const double near =
-            (1.0 + rounding) * (reach_.factor * (own.radius + other.radius) + reach_.skin);
-        if (other.body > i && dot(distance, distance) <= near * near)
-          near_.push_back(other.body);
-      }
+      find_among(grid.members.data() + begins[first[0]], grid.members.data() + begins[last[0] + 1],
+                 i, own);
     }
+}
+
+/// Without branches: which bodies are near, and which come after i, cannot be guessed.
+void SizeGrids::find_among(const Member* begin, const Member* end, int i, const Body& own) {
+  std::size_t found = near_.size();
+  near_.resize(found + static_cast<std::size_t>(end - begin));
+  for (const Member* other = begin; other < end; ++other) {
+    const Vector3 distance = other->body.centre - own.centre;
+    const double near =
+        (1.0 + rounding) * (reach_.factor * (own.radius + other->body.radius) + reach_.skin);
+    near_[found] = other->number;
+    found += static_cast<std::size_t>(other->number > i) &
+             static_cast<std::size_t>(dot(distance, distance) <= near * near);
+  }
+  near_.resize(found);
 }
 
 } // namespace ellipsoid

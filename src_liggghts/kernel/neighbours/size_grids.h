@@ -32,10 +32,13 @@ class SizeGrids {
   const std::vector<int>& find(int i);
 
  private:
-  struct Member {
+  struct Body {
     Vector3 centre;
     double radius;
-    int body;
+  };
+  struct Member {
+    Body body;
+    int number;
   };
   /// Cells with the same y and z follow each other along x, and so do their members.
   struct Grid {
@@ -48,14 +51,15 @@ class SizeGrids {
     int place(double x, int axis) const;
     std::size_t cell_of(const Vector3& centre) const;
     void shape(const Vector3& first, const Vector3& last, double edge, std::size_t bodies);
-    void sort_in(const std::vector<Member>& bodies);
+    void sort_in(const std::vector<int>& numbers, const std::vector<Body>& bodies);
   };
   std::vector<Grid> grids_;
-  std::vector<Member> bodies_; ///< by number
+  std::vector<Body> bodies_; ///< by number
   std::vector<int> near_;
   Reach reach_{1.0, 0.0};
 
-  void find_in(const Grid& grid, int i, const Member& own);
+  void find_in(const Grid& grid, int i, const Body& own);
+  void find_among(const Member* begin, const Member* end, int i, const Body& own);
 };
 
 } // namespace ellipsoid

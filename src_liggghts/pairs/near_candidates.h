@@ -1,0 +1,63 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// Where the host's neighbour lists take their candidates from, when its bins serve badly: they are
+// as wide as the largest particle needs, and as long as the longest.
+//
+// Candidates by true shape are the pairs that are nearer than two margins. They are good until a
+// particle's surface has moved by more than a margin, rotation included: then the lists have to be
+// made anew.
+#ifndef ELLIPSOID_NEAR_CANDIDATES_H
+#define ELLIPSOID_NEAR_CANDIDATES_H
+
+#include "neighbours/long_bodies.h"
+#include "neighbours/size_grids.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace ellipsoid_host {
+
+class NearCandidates {
+ public:
+  /// Before new lists are made, on all ranks together: whether bodies are so long or flat that
+  /// their true shapes are asked, and by what margin.
+  /// @param[in] shapes_bound no contact is possible outside of the ellipsoids
+  void prepare(LAMMPS_NS::LAMMPS& lmp, bool shapes_bound);
+  /// For a new list.
+  /// @return whether this should be used: the bins serve compact particles of about one size
+  bool begin(const LAMMPS_NS::LAMMPS& lmp);
+  /// The first particle after i that is near it; -1: there is none.
+  int first(int i) {
+    found_ = by_shape_ ? &bodies_.find(i) : &grids_.find(i);
+    at_ = 0;
+    return next();
+  }
+  int next() { return at_ < found_->size() ? (*found_)[at_++] : -1; }
+
+  /// After particles have moved, on all ranks together: whether the lists may lack a pair that
+  /// touches now.
+  bool are_outdated(const LAMMPS_NS::LAMMPS& lmp) const;
+
+ private:
+  ellipsoid::SizeGrids grids_;
+  ellipsoid::LongBodies bodies_;
+  const std::vector<int>* found_ = nullptr;
+  std::size_t at_ = 0;
+  bool by_shape_ = false;
+  double margin_ = 0.0;                        // (length)
+  std::vector<double> centres_, orientations_; // of owned particles when the lists were made
+
+  bool moved_too_far(const LAMMPS_NS::LAMMPS& lmp) const;
+};
+
+/// To be asked for each particle of a list from 0 on; null: the host's bins serve, as they do for
+/// all other pair styles.
+NearCandidates* near_candidates(LAMMPS_NS::LAMMPS* lmp, int i);
+
+} // namespace ellipsoid_host
+
+#endif
