@@ -88,6 +88,24 @@ class HostSettings(unittest.TestCase):
         for boundary in ("s s s", "m p f", "p p fm"):
             self.check(script(boundary=boundary), 2 if boundary == "s s s" else 1, boundary, least=5 * STEPS)
 
+    def test_frozen_bodies(self):
+        """They bear no force, and count as infinitely heavy in the dashpots of those that they touch."""
+        text = script("group cold id 1 2 3 7\nvelocity cold set 0 0 0\nset group cold omegax 0 omegay 0 omegaz 0\n"
+                      "fix hold cold freeze\n")
+        Path("d.dump").unlink(missing_ok=True)
+        run(text + f"dump d all custom 1 d.dump {' '.join(REPLAYED)}\ndump_modify d sort id format \"{FORM}\"\n"
+            f"run {STEPS}\n", 2)
+        frames = vectors(read_dump("d.dump")[1], *REPLAYED)
+        cold = np.isin(frames[0][:, 0], (1, 2, 3, 7))
+        self.assertEqual(np.abs(frames[:, cold, 19:25]).max(), 0.0)
+        heavy = frames.copy()
+        heavy[:, cold, 2] = 1e20
+        brute = BruteForce(Law([(MATERIAL.youngs_modulus, MATERIAL.poissons_ratio)], [[0.5]], [[300.0]], [[200.0]],
+                               TIME_STEP), LENGTHS)
+        for values, (force, torque, _) in zip(frames, replay(brute, heavy, TIME_STEP)):
+            for found, expected in ((values[:, 19:22], force), (values[:, 22:25], torque)):
+                np.testing.assert_allclose(found[~cold], expected[~cold], rtol=0, atol=1e-10 * np.abs(expected).max())
+
     def test_changes_of_particles(self):
         by_place = "variable speed atom 200*x\nrun 0\n"
         for commands in (LEFT + "run 0\ndelete_atoms region left\n",
