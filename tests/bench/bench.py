@@ -25,7 +25,8 @@ from figures import CASE, figure_rows, write_figures
 from machine import description
 from scripts import (BOX, LAW, SIDE, SMOOTH, SPHERE, SUPERQUADRIC, damped, moving_bodies, multisphere,
                      rigid, rigid_bodies, settle, timed, with_law)
-from start import A, B, VOLUME_RADIUS, bodies, box_mesh, compaction, data_file, lattice, tile
+from start import (A, B, VOLUME_RADIUS, bodies, box_mesh, compaction, data_file, lattice, tile,
+                   write_superquadrics)
 
 HERE = Path(__file__).parent
 SOURCE = HERE.parent.parent
@@ -130,7 +131,10 @@ class Bench:
 
     def compaction_start(self, shape):
         kind = "sphere" if shape.kind == "sphere" else "smooth"
-        return self.state(f"compaction.{kind}.data", lambda file: file.write_text(compaction(kind)))
+        file = self.state(f"compaction.{kind}.data", lambda file: file.write_text(compaction(kind)))
+        if shape.kind == "superquadric":
+            write_superquadrics(file)
+        return file
 
     def cloud(self, shape):
         per_side = round(COUNT ** (1.0 / 3.0))

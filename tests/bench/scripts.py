@@ -4,7 +4,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from start import A, B, MASS, MOMENTS
+from start import A, B, MASS, MOMENTS, write_superquadrics
 
 LAW = "model hertz/viscous tangential history/viscous"
 CLOCK = Path(__file__).parent / "clock.sh"
@@ -28,7 +28,8 @@ class Shape:
 
     @property
     def atom_style(self):
-        return "granular" if self.kind in ("sphere", "rigid") else "granular/ellipsoid"
+        return {"sphere": "granular", "rigid": "granular", "superquadric": "superquadric"}.get(
+            self.kind, "granular/ellipsoid")
 
     @property
     def contacts(self):
@@ -152,7 +153,11 @@ def moving_bodies(shape, case, start, mesh=None):
     """Script of a bed, a flow, a cloud or a box (of planes or of the triangles of a file) up to its run."""
     boundary = {"cloud": "p p p", "box": "f f f", "mesh": "f f f"}.get(case, "p p f")
     script = header(shape, boundary)
-    script += f"read_data {start}\n"
+    if shape.kind == "superquadric":
+        write_superquadrics(start)
+        script += f"read_data {start}.superquadric\ninclude {start}.superquadric.in\n"
+    else:
+        script += f"read_data {start}\n"
     script += forces(shape) + shape.subsphere_fix + gravity(case)
     script += "group grains type 1\n"
     if case == "flow":

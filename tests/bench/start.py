@@ -1,6 +1,8 @@
 """Initial states for the benchmarks: data files of LIGGGHTS.
 
     python3 start.py compaction --shape smooth > start.data
+    python3 start.py superquadric start.data     # the same bodies for the host's superquadrics:
+                                                 # start.data.superquadric, start.data.superquadric.in
 
 Particles are the paper's ellipsoids (table 1), or the sphere of the same section (compaction) or the
 same volume (beds, clouds). SI units. Seeds are fixed: the same states in every run.
@@ -158,13 +160,31 @@ def tile(source, target, tiles, side):
                             for m, w in enumerate(velocities, 1))
 
 
+def write_superquadrics(file):
+    """A data file of ellipsoids for the host's atom style superquadric, which has no orientations in data files: these
+    are commands of another file, to be included after it."""
+    head, rest = Path(file).read_text().split("\nAtoms\n\n")
+    atoms, velocities = rest.split("\nVelocities\n")
+    rows, turns = [], []
+    for words in map(str.split, atoms.strip().split("\n")):
+        a, b, c, mass = (float(words[k]) for k in (5, 6, 7, 12))
+        density = mass / (4.0 / 3.0 * math.pi * a * b * c)
+        rows.append(" ".join([*words[:2], repr(density), *words[5:8], "2", "2", *words[2:5]]))
+        turns.append(f"set atom {words[0]} quat_direct {' '.join(words[8:12])}\n")
+    Path(f"{file}.superquadric").write_text(head + "\nAtoms\n\n" + "\n".join(rows) + "\n\nVelocities\n" + velocities)
+    Path(f"{file}.superquadric.in").write_text("".join(turns))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("what", choices=["compaction"])
-    parser.add_argument("--shape", choices=["sphere", "superquadric", "smooth", "multisphere"],
-                        default="smooth")
+    commands = parser.add_subparsers(dest="what", required=True)
+    commands.add_parser("compaction").add_argument("--shape", choices=["sphere", "smooth", "multisphere"], default="smooth")
+    commands.add_parser("superquadric").add_argument("file")
     arguments = parser.parse_args()
-    sys.stdout.write(compaction(arguments.shape))
+    if arguments.what == "superquadric":
+        write_superquadrics(arguments.file)
+    else:
+        sys.stdout.write(compaction(arguments.shape))
 
 
 if __name__ == "__main__":
