@@ -31,7 +31,7 @@ class Case:
 
 CASES = {
     "silo": Case("flow", "flow", 0.02, {"particles": 10000}),
-    "drum": Case("turn", "turn", 0.05, {"width": 0.0075}),
+    "drum": Case("turn", "turn", 0.05, {"width": 0.03, "size": 2.0}),
     "penetration": Case("impact", "time", 0.0235, {"particles": 10000, "length": 0.062, "breadth": 0.038,
                                                   "soften": 25, "skip": 0.0225}),
 }
