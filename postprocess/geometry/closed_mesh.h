@@ -14,9 +14,9 @@ namespace ellipsoid::post {
 using Triangle3 = std::array<Vector3, 3>;
 
 /// Throws InputError in one line unless every edge belongs to just two triangles, which pass it in
-/// opposite directions, and the surface encloses one body, which may have hollows. Corners are the same point when their
-/// coordinates are. Triangles without area are left out; all are turned inside out if the volume is
-/// negative.
+/// opposite directions, and the surface encloses one body, which may have hollows. Corners are the
+/// same point when their coordinates are. Triangles without area are left out; all are turned
+/// inside out if the volume is negative.
 std::vector<Triangle3> checked_closed(std::vector<Triangle3> triangles, const std::string& name);
 
 struct MeshMeasures {

@@ -139,10 +139,14 @@ bool FixParticletemplateEllipsoid::parse_spheres(const std::string& keyword,
     const std::string word = reader.word(keyword);
     try {
       spacing_ = ellipsoid::sphere_spacing_from_word(word);
+      has_spacing_ = true;
     } catch (const std::invalid_argument& problem) {
       reader.complain("keyword 'spacing': " + std::string(problem.what()));
     }
   } else if (keyword == "clump") {
+    if (!clump_file_.empty())
+      reader.complain(
+          "keyword 'clump' is given twice; a template is of one clump: use two templates");
     clump_file_ = reader.word(keyword);
   } else if (keyword == "clump_scale") {
     clump_scale_ = reader.positive(keyword);
@@ -205,6 +209,11 @@ void FixParticletemplateEllipsoid::finish(bool has_semiaxes, bool has_moments) {
   else if (!has_semiaxes)
     error->fix_error(FLERR, this,
                      "keyword 'semiaxes' is missing; add 'semiaxes a b c', or 'clump FILE'");
+  else if (clump_scale_ || !written_file_.empty())
+    error->fix_error(
+        FLERR, this,
+        "keywords 'clump_scale' and 'write_clump' are for clumps; add 'clump FILE', or "
+        "leave them out");
   if ((density_ > 0.0) == (mass_ > 0.0))
     error->fix_error(
         FLERR, this,
@@ -240,13 +249,13 @@ void FixParticletemplateEllipsoid::make_clump(bool has_semiaxes, bool has_moment
   const auto complain = [this](const std::string& what) {
     error->fix_error(FLERR, this, ("keyword 'clump': " + what).c_str());
   };
-  if (has_semiaxes || stores_subspheres_)
-    complain("it has its spheres from the file; leave 'semiaxes' and 'subspheres' out");
+  if (has_semiaxes || stores_subspheres_ || has_spacing_)
+    complain("it has its spheres from the file; leave 'semiaxes', 'subspheres' and 'spacing' out");
   for (const Variation& variation : variations_)
     if (!(variation.axes[0] && variation.axes[1] && variation.axes[2]))
       complain("a clump keeps its shape; use 'vary all'");
   try {
-    body_.read_clump(lmp, clump_file_, clump_scale_);
+    body_.read_clump(lmp, clump_file_, clump_scale_.value_or(1.0));
     if (!has_moments && !body_.clump()->is_principal)
       complain("the file says that its frame is the body's, and the centre of mass and the "
                "principal axes of its spheres are others; give 'inertia', or leave the comment '" +

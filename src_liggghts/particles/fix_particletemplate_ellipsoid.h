@@ -18,6 +18,7 @@ FixStyle(particletemplate/ellipsoid,FixParticletemplateEllipsoid)
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -69,7 +70,8 @@ class FixParticletemplateEllipsoid : public FixTemplateSphere {
   ellipsoid::SphereSpacing spacing_ = ellipsoid::SphereSpacing::paper;
   ellipsoid_host::TemplateBody body_;
   std::string clump_file_, written_file_; // empty: none
-  double clump_scale_ = 1.0;
+  std::optional<double> clump_scale_;
+  bool has_spacing_ = false;
   int clump_number_ = 0; // from 1; 0: no clump
 
   void parse(int narg, char** arg);

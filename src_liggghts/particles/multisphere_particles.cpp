@@ -78,6 +78,10 @@ const ellipsoid::MultisphereBody* MultisphereParticles::body(const double* semia
                             std::llround(flatness / aspect_resolution), count, spacing)];
   if (entry)
     return entry.get();
+  if (count == 0)
+    throw std::invalid_argument(
+        "it is smooth (subspheres 0); give its template 'subspheres', or take "
+        "surface smooth for all");
   const auto placed = static_cast<ellipsoid::SphereSpacing>(spacing);
   if (ellipsoid::is_planar(placed)) {
     entry.reset(new ellipsoid::MultisphereBody(

@@ -1,8 +1,8 @@
 """Time of a step with clumps of 17, 55 and 200 spheres, beside the host's fix multisphere with the same spheres,
-law and bodies: a bed that has just fallen on a floor. Prints ns of processor time per body and step, and the
+law and bodies: stones that fall, most of them alone, or a dense bed of several layers. Prints ns of processor time per body and step, and the
 ratio, measured in one run, one after the other, twice; the faster of each counts.
 
-    PYTHONPATH=tests/engine ELLIPSOID_BIN=build/bin python3 tests/bench/clumps.py [FOLDER]
+    PYTHONPATH=tests/engine ELLIPSOID_BIN=build/bin python3 tests/bench/clumps.py [--dense] [FOLDER]
 """
 
 import os
@@ -16,10 +16,12 @@ from _engine import LAW, Particle, Setup, dump, ellipsoids_data, read_dump, run 
 from _multisphere import multisphere_setup, wall  # noqa: E402
 from clump_host import Cloud, quaternion, words  # noqa: E402
 
-BODIES, FALL, STEPS, TIME_STEP = 60, 4000, 1000, 2e-6
-SIDE, MASS, MOMENTS = 0.03, 1.2e-5, (8e-12, 1.7e-11, 2.0e-11)
+BODIES, STEPS, TIME_STEP = 60, 1000, 2e-6
+DENSE = "--dense" in sys.argv
+SIDE, HEIGHT, FALL = (0.014, 0.08, 60000) if DENSE else (0.03, 0.018, 4000)
+MASS, MOMENTS = 1.2e-5, (8e-12, 1.7e-11, 2.0e-11)
 GOLDEN_ANGLE = np.pi * (3.0 - np.sqrt(5.0))
-BOX = (0.0, SIDE, 0.0, SIDE, 0.0, 0.06)
+BOX = (0.0, SIDE, 0.0, SIDE, 0.0, HEIGHT + 0.04)
 
 
 def stone(count):
@@ -48,7 +50,7 @@ fix grain all particletemplate/multisphere 10037 atom_type 1 density constant 13
     nspheres {len(body)} ntry 1000 spheres file stone.host scale 1.0 type 1 &
     mass {MASS} inertia_tensor {i_x} 0 0 {i_y} 0 {i_z} use_density
 fix mixture all particledistribution/discrete 10039 1 grain 1.0
-region cloud block 0 {SIDE} 0 {SIDE} 0 0.018 units box
+region cloud block 0 {SIDE} 0 {SIDE} 0 {HEIGHT} units box
 fix bodies all multisphere
 fix insert all insert/pack seed 15485863 distributiontemplate mixture maxattempt 500 insert_every once &
     overlapcheck yes all_in no vel constant 0 0 -0.8 orientation random region cloud ntry_mc 1000 &
@@ -85,25 +87,36 @@ def timed(script, name):
     return 1e-9 * (after - before)
 
 
+def put_together(columns, count):
+    """Spheres of a body that a periodic side has taken apart, in the image nearest to its first one."""
+    for name in "xy":
+        of_bodies = columns[name].reshape(len(columns[name]), -1, count)
+        apart = np.round((of_bodies - of_bodies[:, :, :1]) / SIDE)
+        columns[name] = (of_bodies - SIDE * apart).reshape(columns[name].shape)
+    return columns
+
+
 def measure(count):
     body = stone(count)
     columns = "id x y z vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz".split()
     script = host_script(body)
     run(script + dump("start.dump", 1, columns) + "run 0\n", name="in.start", timeout=3600)
-    start = Cloud(BODIES, "", 0.0, body).bodies(read_dump("start.dump")[1])
+    start = Cloud(BODIES, "", 0.0, body).bodies(put_together(read_dump("start.dump")[1], count))
     times = {"host": [], "clump": []}
     for _ in range(2):
         times["clump"].append(timed(clump_script(body, start), "clump"))
         times["host"].append(timed(script, "host"))
     bodies = start["x"].shape[1]
+    height = start["x"][0][:, 2]
     host, clump = (1e9 * min(times[k]) / (STEPS * bodies) for k in ("host", "clump"))
     print(f"{count} spheres, {bodies} bodies: fix multisphere {host:.0f} ns, clump {clump:.0f} ns per body and "
-          f"step, ratio {host / clump:.1f}", flush=True)
+          f"step, ratio {host / clump:.1f}; centres at {1e3 * height.min():.1f} to {1e3 * height.max():.1f} mm, speed "
+          f"{np.linalg.norm(start['v'][0], axis=1).mean():.3f} m/s", flush=True)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) > 1:
-        os.makedirs(sys.argv[1], exist_ok=True)
-        os.chdir(sys.argv[1])
+    for folder in [word for word in sys.argv[1:] if word != "--dense"]:
+        os.makedirs(folder, exist_ok=True)
+        os.chdir(folder)
     for spheres in (17, 55, 200):
         measure(spheres)

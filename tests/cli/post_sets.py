@@ -3,6 +3,7 @@
 
 Oracles are random points, points of surfaces and sums over triangles, all in numpy.
 """
+import os
 import struct
 
 import numpy as np
@@ -235,6 +236,9 @@ def check_lists():
     wanted = 2.0 * moments[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
     assert np.allclose(inertia, wanted, atol=0.02), (inertia, wanted)
     assert open("out.svg").read().startswith("<?xml") or "<svg" in open("out.svg").read(200)
+    os.makedirs("folder", exist_ok=True)
+    write("folder/ball.csv", "0 0 0 1\n")
+    assert post("template", "--clump", "folder/ball.csv", "--molecule", "-")[0].splitlines()[0].startswith("ball.csv N = 1")
     (again,) = rows_of("template", "--clump", "out.csv")
     assert again["volume_m3"] == row["volume_m3"]
 

@@ -285,14 +285,27 @@ class BadInput(unittest.TestCase):
                 ("0 0 0 1\n" * 300000, "", "300000 spheres; allowed are 1 to 9999"),
                 ("0 0 0 1\n1 0 0\n", "", "line 2: 3 values"),
                 ("", "", "it is empty"),
-                ("0 0 0 1\n", "semiaxes 1 1 1", "leave 'semiaxes' and 'subspheres' out"),
+                ("0 0 0 1\n", "semiaxes 1 1 1", "leave 'semiaxes', 'subspheres' and 'spacing' out"),
+                ("0 0 0 1\n", "spacing medial", "leave 'semiaxes', 'subspheres' and 'spacing' out"),
+                ("0 0 0 1\n", "clump bad.csv", "'clump' is given twice"),
+                ("0 0 0 1\r\n1 0 0 x\r\n", "", "line 2: 'x'"),
+                ("x,y,z,r\0", "", "no plain text"),
                 ("0 0 0 1\n", "vary a uniform 0.5 1.5", "use 'vary all'"),
                 ("0 0 0 1\n", "clump_scale 0", "clump_scale"),
                 ("# frame: body\n1 0 0 1\n", "", "give 'inertia'"),
                 ("0 0 0 1\n", "write_clump no/such/folder", "cannot be written")):
             self.assertIn(expected, self.complaint(content, "clump bad.csv " + words))
+        for words in ("clump_scale 2", "write_clump out.csv"):
+            self.assertIn("are for clumps", self.complaint(None, "semiaxes 1e-3 1e-3 1e-3 " + words))
         self.assertIn("cannot be read", self.complaint(None, "clump missing.csv"))
         self.assertIn("cannot be read", self.complaint(None, "clump ."))
+
+    def test_smooth_particles_beside_clumps(self):
+        write_spheres("hook.csv", HOOK)
+        text = fails(setup().without_particles() + insertion(
+            TEMPLATE + "clump hook.csv\n" + TEMPLATE.replace("grain", "other").replace("15485863", "32452867")
+            + "semiaxes 1e-3 1e-3 1e-3\n", 20).replace("1 grain 1.0", "2 grain 0.5 other 0.5") + "run 1\n")
+        self.assertRegex(text, "ERROR[^\n]*atom [0-9]+: it is smooth \(subspheres 0\)")
 
     def test_no_smooth_surface(self):
         write_spheres("hook.csv", HOOK)

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
@@ -217,7 +218,9 @@ std::string picture_of(const std::string& path, const SphereSet& set, const std:
 /// Files hold the set about its centre of mass, but for CSV, which keeps the frame.
 void write_files(const NamedSet& set, const SetOptions& options, const TemplateChoice& choice) {
   const UnionMeasures m = measure_union(set.spheres);
-  SphereBody body{fmt::format("{} N = {} ({})", set.source, set.spheres.count(), set.spacing),
+  SphereBody body{fmt::format("{} N = {} ({})",
+                              std::filesystem::path(set.source).filename().string(),
+                              set.spheres.count(), set.spacing),
                   set.spheres, (1.0 / m.volume) * m.inertia};
   for (Vector3& centre : body.spheres.centres)
     centre -= m.centre;

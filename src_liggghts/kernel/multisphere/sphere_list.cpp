@@ -104,6 +104,8 @@ SphereList parse_sphere_list(const std::string& text) {
   SphereList list;
   std::optional<std::size_t> width; // of the first line
   Columns columns{0, 1, 2, 3};
+  if (text.find('\0') != std::string::npos)
+    throw std::invalid_argument("list of spheres: it is no plain text; lines x y z r are needed");
   std::istringstream lines(with_plain_lines(text));
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
