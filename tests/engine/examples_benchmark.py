@@ -178,7 +178,7 @@ class Penetration(unittest.TestCase):
         self.assertLess(np.abs(speed + 5.0 + GRAVITY * time)[falling].max(), 1e-6)
         # as if there were no bed; the floor is steel as well, half as stiff together
         self.assertGreater(height.min(), self.BALL - hertz_depth(3, self.BALL, speed[0], 2 * self.SOFTEN))
-        self.assertGreater(speed[-1], -0.3, "the ball goes on")
+        self.assertGreater(speed[-1], 0.2 * speed[0], "the ball goes on")  # both are negative
         columns = frames("once/impact.*.dump")
         energy = total_energy(columns)
         self.assertLess(np.diff(energy).max(), 1e-5 * energy[0])
