@@ -316,6 +316,7 @@ def loop_times(text):
 
 def thermo_means(text):
     """Means over time of the compaction's thermo columns: touching pairs and tests per particle."""
+    text = "\n".join(line for line in text.splitlines() if not line.startswith("WARNING")) + "\n"
     tables = re.findall(r"Step\s+time\s+KinEng\s+touching\s+potentia\S*\s+CPU[^\n]*\n((?:[ \t]*[-\d].*\n)+)",
                         text)
     if not tables:
