@@ -1,0 +1,159 @@
+"""Effective friction of sheared beds: a row per run, means over seeds, the friction that a smooth ellipsoid needs to
+resist as a multi-sphere does, and a picture."""
+
+import csv
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+INPUTS = Path(__file__).resolve().parent.parent
+KEPT = INPUTS / "results" / "roughness"
+COLUMNS = "strain friction solid_fraction stress_yy_Pa pressure_Pa inertial_number contacts_per_particle".split()
+MEASURES = ("friction", "solid_fraction", "contacts_per_particle")
+START, BLOCK = 1.5, 0.5  # strain that is left out, and that after which values are independent
+DRAWS = 20000
+
+
+def run_row(folder):
+    """Means over the strain behind START, and standard errors from blocks of strain."""
+    record = json.loads((folder / "run.json").read_text())
+    values = {"subspheres": "", "multicontact": "", **record["variables"]}
+    table = dict(zip(COLUMNS, np.loadtxt(folder / "shear.txt").T))
+    late = table["strain"] > START
+    block = ((table["strain"][late] - START) / BLOCK).astype(int)
+    row = {name: values[name] for name in ("surface", "subspheres", "multicontact", "mu", "seed")}
+    for name in MEASURES:
+        means = [table[name][late][block == k].mean() for k in range(block.max())]
+        row[name] = float(np.mean(means))
+        row[name + "_error"] = float(np.std(means, ddof=1) / np.sqrt(len(means)))
+    return row
+
+
+def read_rows(folder):
+    if folder == "--kept":
+        with open(KEPT / "runs.csv", newline="") as stream:
+            return [{k: float(v) if k.split("_error")[0] in MEASURES else v for k, v in row.items()}
+                    for row in csv.DictReader(stream)]
+    finished = [f.parent for f in sorted(Path(folder).glob("*/run.json")) if json.loads(f.read_text()).get("finished")]
+    return [run_row(f) for f in finished]
+
+
+def means_of(rows):
+    """{(surface, subspheres, multicontact, mu): (means {measure: value}, errors, runs)}.
+
+    The error of a mean over seeds is the larger one of that within the runs and that between them."""
+    groups = {}
+    for row in rows:
+        key = (row["surface"], int(row["subspheres"] or 0), row["multicontact"], float(row["mu"]))
+        groups.setdefault(key, []).append(row)
+    found = {}
+    for key, runs in groups.items():
+        means, errors = {}, {}
+        for name in MEASURES:
+            values = [r[name] for r in runs]
+            within = np.sqrt(sum(r[name + "_error"] ** 2 for r in runs)) / len(runs)
+            between = np.std(values, ddof=1) / np.sqrt(len(runs)) if len(runs) > 1 else 0.0
+            means[name], errors[name] = float(np.mean(values)), float(max(within, between))
+        found[key] = (means, errors, len(runs))
+    return found
+
+
+def friction_of_smooth(means, wanted, error, random):
+    """Friction coefficients (DRAWS,) at which smooth ellipsoids have the effective friction `wanted`: between the values
+    that were run by straight lines; NaN where it is outside of them."""
+    smooth = sorted((key[3], m["friction"], e["friction"]) for key, (m, e, _) in means.items() if key[0] == "smooth")
+    mu, middle, spread = (np.array(column) for column in zip(*smooth))
+    drawn = np.maximum.accumulate(middle + spread * random.standard_normal((DRAWS, len(mu))), axis=1)
+    targets = wanted + error * random.standard_normal(DRAWS)
+    return np.array([np.interp(t, curve, mu, left=np.nan, right=np.nan) for t, curve in zip(targets, drawn)])
+
+
+def at_friction(means, name, friction):
+    smooth = sorted((key[3], m[name]) for key, (m, e, _) in means.items() if key[0] == "smooth")
+    return np.interp(friction, *zip(*smooth))
+
+
+def outline_of(tools, subspheres):
+    """Measures of the template's outline, a/b = 2.35."""
+    text = subprocess.run([tools, "template", "--aspect", "2.35", "--subspheres", str(subspheres), "--csv", "-"],
+                          check=True, capture_output=True, text=True).stdout
+    return next(csv.DictReader(text.splitlines()))
+
+
+def equivalent_rows(means, tools):
+    """A row per multi-sphere: what a smooth ellipsoid needs, and what it is like then. Solid fractions are those of the
+    bodies' own volumes; the runs count the ellipsoid's, by which masses are set."""
+    random, rows = np.random.default_rng(20100107), []
+    for key in sorted(means):
+        surface, n, rule, mu = key
+        if surface == "smooth":
+            continue
+        m, e, runs = means[key]
+        friction = friction_of_smooth(means, m["friction"], e["friction"], random)
+        outside = float(np.isnan(friction).mean())
+        outline = outline_of(tools, n)
+        row = {"subspheres": n, "multicontact": rule, "mu": mu, "runs": runs,
+               "outline_rq_b": float(outline["outline_rq_b"]), "area_shape_factor": float(outline["area_shape_factor"]),
+               "perimeter_shape_factor": float(outline["perimeter_shape_factor"]),
+               "friction": m["friction"], "friction_error": e["friction"],
+               "solid_fraction": m["solid_fraction"] * float(outline["volume_ratio"]),
+               "contacts_per_particle": m["contacts_per_particle"]}
+        if outside < 0.025:
+            low, middle, high = np.nanquantile(friction, [0.025, 0.5, 0.975]) - mu
+            row |= {"more_friction": middle, "more_friction_low": low, "more_friction_high": high,
+                    "more_friction_margin": 0.5 * (high - low),
+                    "solid_fraction_smooth": at_friction(means, "solid_fraction", mu + middle),
+                    "contacts_smooth": at_friction(means, "contacts_per_particle", mu + middle)}
+        rows.append(row)
+    return rows
+
+
+def write_rows(file, rows):
+    keys = list(dict.fromkeys(k for row in rows for k in row))
+    with open(file, "w", newline="") as stream:
+        writer = csv.DictWriter(stream, keys, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows({k: f"{v:.6g}" if isinstance(v, float) else v for k, v in row.items()} for row in rows)
+
+
+def print_tables(means, rows):
+    print("| smooth, mu | runs | effective friction | solid fraction | contacts |\n|---|---|---|---|---|")
+    for key in sorted(means):
+        if key[0] == "smooth":
+            m, e, runs = means[key]
+            print(f"| {key[3]:g} | {runs} | {m['friction']:.3f} +- {2 * e['friction']:.3f} | {m['solid_fraction']:.3f} | "
+                  f"{m['contacts_per_particle']:.2f} |")
+    print("\n| N | forces | runs | Rq / b | effective friction | solid fraction | smooth, mu + more: more | solid fraction |"
+          "\n|---|---|---|---|---|---|---|---|")
+    for r in rows:
+        more = (f"{r['more_friction']:+.3f} ({r['more_friction_low']:+.3f} to {r['more_friction_high']:+.3f}) | "
+                f"{r['solid_fraction_smooth']:.3f}" if "more_friction" in r else "outside of what was run | -")
+        print(f"| {r['subspheres']} | {r['multicontact']} | {r['runs']} | {r['outline_rq_b']:.4f} | {r['friction']:.3f} +- "
+              f"{2 * r['friction_error']:.3f} | {r['solid_fraction']:.3f} | {more} |")
+
+
+def main(folder):
+    tools = Path(os.environ.get("ELLIPSOID_BIN", INPUTS.parent / "build" / "bin")) / "ellipsoid-post"
+    rows = read_rows(folder)
+    means = means_of(rows)
+    if len([key for key in means if key[0] == "smooth"]) < 2:
+        sys.exit("roughness.sh: fewer than two runs of smooth ellipsoids are finished; nothing to compare with")
+    found = equivalent_rows(means, tools)
+    print_tables(means, found)
+    if folder == "--kept":
+        return
+    out = Path(folder)
+    write_rows(out / "runs.csv", rows)
+    write_rows(out / "equivalent.csv", found)
+    if any("more_friction" in r for r in found):
+        subprocess.run([tools, "plot", "curve", out / "equivalent.csv", "--x", "outline_rq_b", "--y", "more_friction",
+                        "--margin", "more_friction_margin", "--group", "multicontact", "-o", out / "roughness.svg",
+                        "--title", "Friction that a smooth ellipsoid needs more (a/b = 2.35, mu = 0.3)"], check=True)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
