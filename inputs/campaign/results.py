@@ -52,7 +52,7 @@ def report(campaign, runs):
     print("=== Report", flush=True)
     page = campaign.out / "report.html"
     finals = [max(str(f) for f in campaign.folder(run).glob("pile.*.dump")) for run in runs]
-    tool(campaign, "report", "--each-file", *finals, "--output", page, "--quiet")
+    tool(campaign, "report", "--each-file", *finals, "--output", page)
     print(page)
 
 

@@ -1,9 +1,9 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "bed.h"
-#include "frame_loop.h"
 #include "frame_options.h"
 #include "gravity_options.h"
 #include "option_checks.h"
+#include "rows_command.h"
 
 #include <memory>
 
@@ -91,18 +91,9 @@ std::vector<Row> profile_rows(const BedOptions& options, const ChosenFrame& chos
   return rows;
 }
 
-int run(const BedOptions& options) {
-  Table table{"Porosity of a bed", {}};
-  const int code = for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
-    if (options.profile.empty()) {
-      table.rows.push_back(bed_row(options, chosen));
-      return;
-    }
-    for (Row& row : profile_rows(options, chosen))
-      table.rows.push_back(std::move(row));
-  });
-  write_table(options.frames, table);
-  return code;
+std::vector<Row> rows_of(const BedOptions& options, const ChosenFrame& chosen) {
+  return options.profile.empty() ? std::vector<Row>{bed_row(options, chosen)}
+                                 : profile_rows(options, chosen);
 }
 
 void add_region_options(CLI::App& command, BedOptions& options) {
@@ -142,7 +133,7 @@ void add_bed_command(CLI::App& program, int& exit_code) {
       "at the middles of square columns 0.25 b wide (--columns) as for `heap`; V is then the "
       "volume "
       "between z0 and the lower one of surface and z1.");
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::table);
   add_up_option(*command, options->up);
   add_region_options(*command, *options);
   command->callback([command, options, &exit_code] {
@@ -150,7 +141,8 @@ void add_bed_command(CLI::App& program, int& exit_code) {
       refuse_without_effect(*command, {"--slices"}, "without --profile");
     if (!options->is_below_surface)
       refuse_without_effect(*command, {"--columns"}, "without --below-surface");
-    exit_code = run(*options);
+    exit_code = run_rows_command(options->frames, "Porosity of a bed", FrameOrder::any,
+                                 [&](const ChosenFrame& f) { return rows_of(*options, f); });
   });
 }
 

@@ -1,4 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#include "chosen_runs.h"
 #include "contact_forces.h"
 #include "contacts.h"
 #include "digits_warning.h"
@@ -28,13 +29,16 @@ struct ContactsOptions {
 
 void append_fabric(Row& row, const std::vector<Vector3>& normals, int bins) {
   const PrincipalAxes fabric = mean_dyad(normals);
+  const auto known = [&normals](double value) { // without contacts there is no direction
+    return normals.empty() ? Value() : Value(value);
+  };
   row.push_back({"contacts", "contacts", "", static_cast<std::int64_t>(normals.size())});
-  row.push_back({"fabric_1", "fabric tensor, largest eigenvalue", "", fabric.values[0]});
-  row.push_back({"fabric_2", "fabric tensor, middle eigenvalue", "", fabric.values[1]});
-  row.push_back({"fabric_3", "fabric tensor, smallest eigenvalue", "", fabric.values[2]});
-  row.push_back({"fabric_direction_x", "main direction: x", "", fabric.direction.x});
-  row.push_back({"fabric_direction_y", "main direction: y", "", fabric.direction.y});
-  row.push_back({"fabric_direction_z", "main direction: z", "", fabric.direction.z});
+  row.push_back({"fabric_1", "fabric tensor, largest eigenvalue", "", known(fabric.values[0])});
+  row.push_back({"fabric_2", "fabric tensor, middle eigenvalue", "", known(fabric.values[1])});
+  row.push_back({"fabric_3", "fabric tensor, smallest eigenvalue", "", known(fabric.values[2])});
+  row.push_back({"fabric_direction_x", "main direction: x", "", known(fabric.direction.x)});
+  row.push_back({"fabric_direction_y", "main direction: y", "", known(fabric.direction.y)});
+  row.push_back({"fabric_direction_z", "main direction: z", "", known(fabric.direction.z)});
   append_rose(row, angle_rose(normals, bins));
 }
 
@@ -116,7 +120,7 @@ int run_local(const ContactsOptions& options) {
     throw InputError("--local needs --normal-columns, --force-columns or both");
   Table table{"Contacts", {}};
   int code = exit_good;
-  for (const Run& run : runs_of(options.frames.runs, RunGrouping::automatic)) {
+  for (const Run& run : runs_of(options.frames)) {
     FrameStream stream(run.files);
     Frame frame, last;
     bool has_last = false;
@@ -149,7 +153,7 @@ void add_contacts_command(CLI::App& program, int& exit_code) {
       "are named: "
       "--normal-columns NX NY NZ, --force-columns FX FY FZ. Strong forces: above the mean force "
       "<f>; P(f/<f>): probability density in bins 0.25 wide.");
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::table);
   CLI::Option* local =
       command->add_flag("--local", options->is_local, "the files are contact lists (dump local)");
   command->add_option("--normal-columns", options->normal_columns, "of a contact list")
@@ -174,6 +178,8 @@ void add_contacts_command(CLI::App& program, int& exit_code) {
       refuse_without_effect(*command, {"--normal-columns", "--force-columns"}, "without --local");
     else if (options->normal_columns.empty())
       refuse_without_effect(*command, {"--bins"}, "without --normal-columns");
+    if (!options->list.empty())
+      refuse_without_effect(*command, {"--threads"}, "with --list");
     exit_code = options->is_local ? run_local(*options) : run_geometry(*options);
   });
 }

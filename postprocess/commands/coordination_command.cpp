@@ -3,6 +3,7 @@
 #include "digits_warning.h"
 #include "frame_loop.h"
 #include "measure_rows.h"
+#include "option_checks.h"
 #include "particle_values.h"
 #include "pile_definitions.h"
 #include "pile_measures.h"
@@ -87,6 +88,18 @@ void write_partners(const std::string& path, const ChosenFrame& chosen,
   write_particle_values(path, chosen, columns);
 }
 
+/// Throws InputError for options that count contacts with walls where there are none.
+void require_effect(const CoordinationCommandOptions& options,
+                    const CoordinationOptions& counting) {
+  if (!counting.walls.empty())
+    return;
+  if (options.with_walls)
+    throw InputError("--with-walls has no effect without walls: give --plane-wall, "
+                     "--cylinder-wall, --box-wall, --mesh-wall or --run-walls");
+  if (options.contact_gap > 0.0 && !options.contacts.files.empty())
+    throw InputError("--contact-gap has no effect with --contacts and without walls: leave it out");
+}
+
 /// All particles of a packing in space, with the walls that are told.
 Row space_row(const CoordinationCommandOptions& options, ContactLists& lists,
               const ChosenFrame& chosen) {
@@ -95,6 +108,7 @@ Row space_row(const CoordinationCommandOptions& options, ContactLists& lists,
   counting.count_walls = options.with_walls;
   counting.walls = walls_in_space(options, chosen);
   counting.gap = options.contact_gap * mean_b;
+  require_effect(options, counting);
   counting.rattler_contacts = 4; // in space fewer cannot hold a sphere
   ContactNetwork network;
   if (options.contacts.files.empty()) {
@@ -168,7 +182,7 @@ void add_coordination_command(CLI::App& program, int& exit_code) {
       "fewer than 4 contacts.\nWith --contacts the contacts of the particles are those of the list "
       "(walls are "
       "looked up in the geometry); overlaps are known with --overlap-column only.");
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::table);
   add_plane_options(*command, options->plane);
   add_coordination_options(*command, *options);
   auto* contacts = add_contact_list_options(*command, options->contacts,
@@ -192,8 +206,10 @@ void add_coordination_command(CLI::App& program, int& exit_code) {
       if (command->get_option(name)->count() > 0)
         options->of_piles = name;
     ContactLists lists(options->contacts);
-    if (!options->contacts.files.empty())
+    if (!options->contacts.files.empty()) {
+      refuse_without_effect(*command, {"--threads"}, "with --contacts");
       options->frames.threads = 1; // the lists are read in the order of the frames
+    }
     exit_code =
         run_table_command(options->frames, "Coordination numbers", [&](const ChosenFrame& f) {
           return coordination_row(*options, lists, f);

@@ -70,7 +70,7 @@ void add_energy_command(CLI::App& program, int& exit_code) {
       "I1 = m (b^2 + c^2) / 5 and so on (the solid ellipsoid), or of the columns inertiax inertiay "
       "inertiaz, or --inertia for all particles. "
       "Potential: -sum of m g.x. At rest: every point slower than 0.01 sqrt(g b).");
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::table);
   add_gravity_option(*command, options->gravity);
   command
       ->add_option("--inertia", options->inertia,

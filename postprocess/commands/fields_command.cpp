@@ -119,11 +119,12 @@ class FieldFrames {
       row.push_back({"width_m", "width", "m", m_function->width()});
       const Row& place = m_places->row(n);
       row.insert(row.end(), place.begin(), place.end());
-      Row few = place;
-      append_main_fields(few, fields.back(), known(), m_places->component_names());
+      Row few = begin;
+      few.insert(few.end(), place.begin(), place.end());
       append_fields(row, fields.back(), known(), m_places->component_names());
       if (m_options.has_errors)
         append_field_errors(row, known(), m_places->component_names(), errors_at(n));
+      append_main_fields(few, row, m_places->component_names());
       m_all.rows.push_back(std::move(row));
       m_main.rows.push_back(std::move(few));
     }
@@ -178,7 +179,7 @@ void add_fields_command(CLI::App& program, int& exit_code) {
       "boundary force (Weinhart et al. 2012). Stresses are positive in compression. Means over "
       "frames (--average) are means of the sums; fluctuations are taken about the mean velocity. "
       "Standard errors: jackknife over 20 to 40 blocks of frames (fewer frames: one each).");
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::rows);
   add_time_option(*command, options->time_step);
   add_field_place_options(*command, options->places);
   command->add_option("--kernel", options->kernel, "function: gaussian, lucy or heaviside")
@@ -210,6 +211,8 @@ void add_fields_command(CLI::App& program, int& exit_code) {
       refuse_without_effect(*command, {"--box"}, "with --profile radius");
     if (options->is_average)
       refuse_without_effect(*command, {"--dt"}, "with --average");
+    if (options->frames.frames != "all")
+      refuse_without_effect(*command, {"--average"}, "without --frame all");
     exit_code = run(*options);
   });
 }

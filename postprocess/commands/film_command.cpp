@@ -87,11 +87,20 @@ int render_frames(const FilmOptions& options, const std::string& names) {
   return render_piles(plane);
 }
 
+/// A path whose signs a pattern would take for its own stand for themselves.
+std::string literal_in_pattern(const std::string& path) {
+  std::string text;
+  for (const char letter : path)
+    text += (std::string("*?[]{}\\").find(letter) == std::string::npos ? "" : "\\") +
+            std::string(1, letter);
+  return text;
+}
+
 int join_frames(const FilmOptions& options, const std::string& folder) {
   // what most players want: colours of half the resolution, and so even sizes
   const int status = run_program(
       {"ffmpeg", "-loglevel", "error", "-y", "-framerate", fmt::format("{}", options.per_second),
-       "-pattern_type", "glob", "-i", folder + "/film_*.png", "-vf",
+       "-pattern_type", "glob", "-i", literal_in_pattern(folder) + "/film_*.png", "-vf",
        "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", options.output});
   if (status != 0)
     throw InputError(
@@ -156,7 +165,7 @@ void add_film_command(CLI::App& program, int& exit_code) {
   command->footer(
       "All pictures have one size, one view and one range of colours: those that all frames "
       "together take, or as given. Frames without particles are left out with a remark.");
-  add_frame_options(*command, options->plane.frames);
+  add_frame_options(*command, options->plane.frames, FrameUse::one_series);
   add_plane_options(*command, options->plane.plane);
   add_fit_options(*command, options->plane.plane);
   command

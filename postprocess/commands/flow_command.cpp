@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "flow_profile.h"
 #include "flow_through.h"
+#include "frame_clock.h"
 #include "frame_loop.h"
 #include "frame_options.h"
 #include "messages.h"
@@ -125,6 +126,8 @@ class FlowRun {
   const std::string& name() const { return m_name; }
 
   void take(const ChosenFrame& chosen, Table& steps, Table& passages) {
+    if (!m_clock.advances(chosen))
+      return;
     const std::optional<double> density =
         m_options.density > 0.0 ? std::optional<double>(m_options.density) : std::nullopt;
     const PeriodicCell cell(chosen.set.box);
@@ -134,7 +137,10 @@ class FlowRun {
     m_time = time_of(chosen.frame, m_options.time_step);
     m_timestep = chosen.frame.timestep;
     if (!m_time && (m_inlet || m_profile || !m_options.passages.empty()))
-      throw InputError("the file does not state the time: give --dt");
+      throw InputError(std::string(m_inlet     ? "--inlet"
+                                   : m_profile ? "--profile"
+                                               : "--passages") +
+                       " needs times, which the file does not state: give --dt");
     if (!step) {
       m_first_time = m_time;
       return;
@@ -256,6 +262,7 @@ class FlowRun {
 
   const FlowOptions& m_options;
   std::string m_name;
+  FrameClock m_clock;
   FlowThrough m_flow;
   std::optional<FlowThrough> m_inlet;
   std::optional<FlowProfile> m_profile;
@@ -282,7 +289,7 @@ int run(const FlowOptions& options) {
   });
   end_run();
   write_table(options.frames, table);
-  if (!options.passages.empty())
+  if (!options.passages.empty() && (code == exit_good || !passages.rows.empty()))
     write_text(options.passages, as_csv(passages));
   return code;
 }
@@ -337,7 +344,7 @@ void add_flow_command(CLI::App& program, int& exit_code) {
       "normal. Residence time: from the inlet, or from the first frame that has the particle (but "
       "the run's first one), to its passage forward. Rows: steps between frames; --total: the "
       "whole run, with the mean rate and its standard deviation between frames.");
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::rows);
   add_time_option(*command, options->time_step);
   add_gate_options(*command, *options);
   command->add_option("--density", options->density, "of the material, for files without masses")

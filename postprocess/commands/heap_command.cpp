@@ -88,7 +88,7 @@ void add_heap_command(CLI::App& program, int& exit_code) {
       "error the deviation over sectors / sqrt(sectors).\n"
       "Porosity: 1 - V_solid / V, V between floor and free surface, V_solid the union of all "
       "particles, from exact sections in --planes planes.");
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::table);
   add_up_option(*command, options->up);
   add_cone_options(*command, *options);
   command->callback([options, &exit_code] {

@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "body_properties.h"
 #include "mixing.h"
+#include "option_checks.h"
 #include "rows_command.h"
 #include "time_option.h"
 
@@ -175,7 +176,7 @@ void add_mixing_command(CLI::App& program, int& exit_code) {
       "SR^2); intensity S^2 / S0^2; relative standard deviation S / mean; GMMI: mean position of q "
       "over that of all from the lowest particle; neighbours: mean (q_i - q_k)^2 over that of a "
       "random order.");
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::table);
   add_time_option(*command, options->time_step);
   CLI::Option_group* tracer = command->add_option_group("what is mixed");
   tracer->add_option("--type", options->type, "particles of this type against all others")
@@ -203,11 +204,14 @@ void add_mixing_command(CLI::App& program, int& exit_code) {
   command->add_option("--neighbours", options->mixing.neighbours, "nearest ones of each particle")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command->callback([options, &exit_code] {
-    Tracer marked(*options);
-    exit_code =
-        run_rows_command(options->frames, "Mixing", FrameOrder::ascending,
-                         [&](const ChosenFrame& f) { return mixing_rows(*options, marked, f); });
+  command->callback([command, options, &exit_code] {
+    const bool is_marked = !options->region.empty(); // in the first frame, for those that follow
+    if (is_marked)
+      refuse_without_effect(*command, {"--threads"}, "with --region");
+    Tracer tracer_of_run(*options);
+    exit_code = run_rows_command(
+        options->frames, "Mixing", is_marked ? FrameOrder::ascending : FrameOrder::any,
+        [&](const ChosenFrame& f) { return mixing_rows(*options, tracer_of_run, f); });
   });
 }
 

@@ -125,7 +125,7 @@ void add_orientation_command(CLI::App& program, int& exit_code) {
       "the plane's "
       "director is half the phase; flow angle: mean of theta in (-90, 90] deg. Rose: share of "
       "particles per bin of theta from 0 to 180 deg.");
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::table);
   add_time_option(*command, options->time_step);
   command->add_option("--bins", options->bins, "bins of the rose")
       ->check(CLI::Range(1, 360))

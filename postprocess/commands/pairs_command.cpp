@@ -27,11 +27,10 @@ double usual_distance(const ParticleSet& set, const PeriodicCell& cell) {
   double sum = 0.0;
   for (const Particle& p : set.particles)
     sum += 8.0 * volume_radius(body_volume(set, p));
-  double farthest = sum / static_cast<double>(std::max<std::size_t>(1, set.particles.size()));
-  for (std::size_t k = 0; k < 3; ++k)
-    if (cell.is_periodic(k))
-      farthest = std::min(farthest, 0.5 * cell.thickness(k));
-  return farthest;
+  const double four_diameters =
+      sum / static_cast<double>(std::max<std::size_t>(1, set.particles.size()));
+  return set.particles.size() < 2 ? four_diameters
+                                  : std::min(four_diameters, largest_pair_distance(set, cell));
 }
 
 std::vector<Row> distance_rows(const PairsOptions& options, const ChosenFrame& chosen) {
@@ -96,11 +95,11 @@ void add_pairs_command(CLI::App& program, int& exit_code) {
       ". "
       "u_j), u along the longest semi-axis, of discs along the shortest. --gap: exact gaps between "
       "surfaces, neighbours per particle and gap. --structure: S(k) = |sum of exp(i k r)|^2 / N.");
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::table);
   add_time_option(*command, options->time_step);
-  auto* farthest =
-      command->add_option("--farthest", options->farthest,
-                          "largest distance of centres (m; default: 4 mean diameters)");
+  auto* farthest = command->add_option(
+      "--farthest", options->farthest,
+      "largest distance of centres (m; default: 4 mean diameters, or what the box allows)");
   farthest->check(CLI::PositiveNumber);
   auto* gap = command->add_option("--gap", options->gap, "gaps up to this one (m)");
   gap->check(CLI::PositiveNumber)->excludes(farthest);

@@ -81,7 +81,7 @@ void add_paraview_command(CLI::App& program, int& exit_code) {
   CLI::App* command = program.add_subcommand(
       "paraview", "true surfaces of the particles as VTP files, with a .pvd time series");
   command->footer("All columns of the dump become cell values, for colours and filters.");
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::one_series);
   command->add_option("--output,-o", options->output, "beginning of the file names")->required();
   add_time_option(*command, options->time_step);
   command->callback([options, &exit_code] { exit_code = write_series(*options); });

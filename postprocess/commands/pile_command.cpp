@@ -2,6 +2,7 @@
 #include "frame_loop.h"
 #include "gravity_options.h"
 #include "messages.h"
+#include "option_checks.h"
 #include "picture_options.h"
 #include "pile_definitions.h"
 #include "pile_measures.h"
@@ -32,7 +33,7 @@ void add_pile_command(CLI::App& program, int& exit_code) {
       "pile", "angle of repose, porosity, coordination number, overlaps and rest in one table");
   command->footer(std::string(pile_definition) + "\n" + repose_definition + "\n" +
                   porosity_definition + "\n" + coordination_definition);
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::table);
   add_plane_options(*command, options->plane);
   add_fit_options(*command, options->plane);
   add_porosity_options(*command, *options);
@@ -50,8 +51,10 @@ void add_pile_command(CLI::App& program, int& exit_code) {
       exit_code = exit_bad_usage;
       return;
     }
-    if (!options->picture.empty())
+    if (!options->picture.empty()) {
+      refuse_without_effect(*command, {"--threads"}, "with --picture");
       options->frames.threads = 1; // names are given in the order of the frames
+    }
     PictureNames names(options->picture);
     exit_code = run_table_command(options->frames, "Pile", [&](const ChosenFrame& f) {
       return pile_row(*options, names, f);

@@ -29,7 +29,7 @@ void add_porosity_command(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<PileCommandOptions>();
   CLI::App* command = program.add_subcommand("porosity", "porosity of an in-plane pile");
   command->footer(std::string(pile_definition) + "\n" + porosity_definition);
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::table);
   add_plane_options(*command, options->plane);
   add_fit_options(*command, options->plane);
   add_porosity_options(*command, *options);

@@ -143,7 +143,7 @@ void add_render3d_command(CLI::App& program, int& exit_code) {
   command->footer("Parallel projection; every point is an exact intersection of a ray with a body. "
                   "No display and no OpenGL are needed. A film: --frame all -o 'film_*.png', with "
                   "--view and --colour-range so that all frames have the same scale.");
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::pictures);
   add_up_option(*command, options->up);
   command->add_option("--output,-o", options->output, "file name, ends in .png or .svg")
       ->required()
@@ -170,7 +170,9 @@ void add_render3d_command(CLI::App& program, int& exit_code) {
     if (!options->show_walls)
       refuse_without_effect(*command, {"--log"}, "without --show-walls");
     if (options->is_bare)
-      refuse_without_effect(*command, {"--title", "--no-axes"}, "with --bare");
+      refuse_without_effect(*command,
+                            {"--title", "--no-axes", "--show-box", "--show-walls", "--mesh"},
+                            "with --bare");
     exit_code = render_spaces(*options);
   });
 }

@@ -85,7 +85,7 @@ void add_render_command(CLI::App& program, int& exit_code) {
       "Force chains (--contacts): a line between the centres of each touching pair, its "
       "width proportional to the normal force (to the force without --normal-columns), "
       "summed over the pair's contacts.");
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::pictures);
   add_plane_options(*command, options->plane);
   add_fit_options(*command, options->plane);
   command->add_option("--output,-o", options->output, "file name, ends in .svg or .png")

@@ -51,7 +51,7 @@ void add_report_command(CLI::App& program, int& exit_code) {
       "run time come from the log file (log.* or *.log) beside each run's dump. Runs whose "
       "particles lie in one plane z (or with --section) are measured as piles, others are shown. "
       "The page holds its pictures itself and loads nothing.");
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::page);
   command->get_option("runs")->required(false);
   add_plane_options(*command, options->plane);
   add_fit_options(*command, options->plane);
@@ -69,7 +69,7 @@ void add_report_command(CLI::App& program, int& exit_code) {
                       "pages that `view` made, to link to (one beside a dump is found by itself)");
   command->callback([command, options, &exit_code] {
     refuse_idle_margin(*command, *options);
-    options->frames.quiet = true;
+    options->frames.quiet = true; // the page is for people
     exit_code = report(*options);
   });
 }

@@ -28,7 +28,7 @@ void add_repose_command(CLI::App& program, int& exit_code) {
   CLI::App* command = program.add_subcommand(
       "repose", "angle of repose of an in-plane pile beside a wall, or of both its flanks");
   command->footer(std::string(pile_definition) + "\n" + repose_definition);
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::table);
   add_plane_options(*command, options->plane);
   add_fit_options(*command, options->plane);
   command->callback([options, &exit_code] {

@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "collisions.h"
 #include "contact_list_options.h"
+#include "frame_clock.h"
 #include "frame_loop.h"
 #include "frame_options.h"
 #include "option_checks.h"
@@ -44,6 +45,7 @@ struct FollowedRun {
   Trajectories trajectories;
   std::vector<std::optional<double>> times; ///< of the frames (s)
   std::vector<std::int64_t> steps;
+  FrameClock clock;
 };
 
 Row lag_row(const FollowedRun& run, std::size_t lag) {
@@ -97,6 +99,7 @@ int list_collisions(const TrajectoryOptions& options) {
   Table table{"Collisions", {}};
   std::string name;
   auto collisions = std::make_unique<Collisions>();
+  FrameClock clock;
   ContactLists lists(options.contacts);
   const bool has_overlaps =
       options.contacts.files.empty() || !options.contacts.columns.overlap.empty();
@@ -108,12 +111,15 @@ int list_collisions(const TrajectoryOptions& options) {
   const int code = for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
     const std::optional<double> time = time_of(chosen.frame, options.time_step);
     if (!time)
-      throw InputError("the file does not state the time: give --dt");
+      throw InputError("--collisions needs times, which the file does not state: give --dt");
     if (chosen.run != name) {
       end_run();
       name = chosen.run;
       collisions = std::make_unique<Collisions>();
+      clock = {};
     }
+    if (!clock.advances(chosen))
+      return;
     const std::vector<TouchingPair> pairs =
         options.contacts.files.empty()
             ? touching_pairs(chosen.set)
@@ -132,8 +138,10 @@ int run(const TrajectoryOptions& options) {
   std::vector<FollowedRun> runs;
   const int code = for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
     if (runs.empty() || runs.back().name != chosen.run)
-      runs.push_back({chosen.run, Trajectories(options.origins, options.apart), {}, {}});
+      runs.push_back({chosen.run, Trajectories(options.origins, options.apart), {}, {}, {}});
     FollowedRun& followed = runs.back();
+    if (!followed.clock.advances(chosen))
+      return;
     followed.trajectories.take(chosen.set, PeriodicCell(chosen.set.box));
     followed.times.push_back(time_of(chosen.frame, options.time_step));
     followed.steps.push_back(chosen.frame.timestep);
@@ -181,7 +189,7 @@ void add_trajectory_command(CLI::App& program, int& exit_code) {
       "must move less than half of a repeating edge and turn less than half a turn. Rows: lags "
       "between an origin and later frames, means over particles and origins. MSD: mean of |r(t) - "
       "r(0)|^2; rotation: mean square of the summed angle vectors; u: the longest semi-axis.");
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::rows);
   add_time_option(*command, options->time_step);
   command
       ->add_option("--origins", options->origins,

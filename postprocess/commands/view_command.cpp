@@ -167,7 +167,7 @@ void add_view_command(CLI::App& program, int& exit_code) {
   command->footer(
       "The page needs a browser with WebGL2 (any of 2023 or later) and nothing else: no "
       "network, no server, no other file. Bodies are drawn exactly, pixel by pixel.");
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::one_series);
   command->add_option("--output,-o", options->output, "file name, ends in .html")
       ->required()
       ->check(check_by([](const std::string& name) {

@@ -102,7 +102,7 @@ void add_voronoi_command(CLI::App& program, int& exit_code) {
       "ordinary cells. Anisotropy: smallest over largest eigenvalue of the integral of n n over "
       "the "
       "cell's surface. Means are over cells that do not end at the box.");
-  add_frame_options(*command, options->frames);
+  add_frame_options(*command, options->frames, FrameUse::table);
   add_time_option(*command, options->time_step);
   command
       ->add_option("--spacing-on-surface", options->cells.spacing,
@@ -116,7 +116,7 @@ void add_voronoi_command(CLI::App& program, int& exit_code) {
   add_particle_values_option(*command, options->per_particle);
   command->callback([options, &exit_code] {
     exit_code = run_rows_command(
-        options->frames, "Set-Voronoi cells", FrameOrder::ascending,
+        options->frames, "Set-Voronoi cells", FrameOrder::any,
         [&](const ChosenFrame& f) { return std::vector<Row>{voronoi_row(*options, f)}; });
   });
 }

@@ -1,32 +1,19 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "space_picture.h"
 
+#include "depth_buffer.h"
 #include "height_map.h"
 #include "legends.h"
 #include "quaternion_of_matrix.h"
+#include "space_axes.h"
 #include "space_camera.h"
-#include "space_overlays.h"
+#include "space_scenery.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ellipsoid::post {
 namespace {
-
-constexpr int rays_per_side = 3; ///< of a pixel
-
-/// The nearest body behind each ray.
-struct DepthBuffer {
-  std::size_t width = 0, height = 0;
-  std::vector<double> depth; ///< towards the camera (length)
-  std::vector<std::int32_t> owner;
-  std::vector<float> light; ///< from 0 to 1
-
-  DepthBuffer(std::size_t w, std::size_t h)
-      : width(w), height(h), depth(w * h, -std::numeric_limits<double>::infinity()),
-        owner(w * h, -1), light(w * h, 0.0f) {}
-};
 
 /// The set in the camera's frame.
 ParticleSet in_camera_frame(const ParticleSet& set, const SpaceView& view) {
@@ -43,13 +30,6 @@ ParticleSet in_camera_frame(const ParticleSet& set, const SpaceView& view) {
     s.centre = seen(s.centre);
   return result;
 }
-
-/// Camera coordinates to rays.
-struct Screen {
-  double left = 0.0, top = 0.0, scale = 1.0; ///< scale: rays per length
-  double x(std::size_t i) const { return left + (static_cast<double>(i) + 0.5) / scale; }
-  double y(std::size_t j) const { return top - (static_cast<double>(j) + 0.5) / scale; }
-};
 
 /// A rectangle in the camera's plane.
 struct SeenRange {
@@ -144,10 +124,10 @@ void draw_particle(DepthBuffer& buffer, const Screen& screen, const ParticleSet&
   }
 }
 
-/// Colour of one ray; where the neighbour to the right or below shows another particle there is a
-/// dark line.
-Colour ray_colour(const DepthBuffer& buffer, const std::vector<Colour>& colours, std::size_t i,
-                  std::size_t j) {
+/// Colour of the body behind a ray; where the neighbour to the right or below shows another
+/// particle there is a dark line.
+Colour body_colour(const DepthBuffer& buffer, const std::vector<Colour>& colours, std::size_t i,
+                   std::size_t j) {
   const std::size_t ray = j * buffer.width + i;
   const std::int32_t owner = buffer.owner[ray];
   const bool is_edge = (i + 1 < buffer.width && buffer.owner[ray + 1] != owner) ||
@@ -161,10 +141,23 @@ Colour ray_colour(const DepthBuffer& buffer, const std::vector<Colour>& colours,
   return {c.red * light, c.green * light, c.blue * light};
 }
 
+/// The same behind what lies in front of it.
+Colour ray_colour(const DepthBuffer& buffer, const std::vector<Colour>& colours, std::size_t i,
+                  std::size_t j) {
+  const std::size_t ray = j * buffer.width + i;
+  if (const Colour* line = colour_of(buffer.lines[ray]))
+    return *line;
+  const Colour body = body_colour(buffer, colours, i, j);
+  const double share = std::pow(1.0 - wall_opacity, buffer.walls[ray]);
+  const auto mixed = [share](double wall, double behind) { return wall + share * (behind - wall); };
+  return {mixed(wall_colour.red, body.red), mixed(wall_colour.green, body.green),
+          mixed(wall_colour.blue, body.blue)};
+}
+
 } // namespace
 
 SpacePixels draw_space(const ParticleSet& upright, const std::vector<Colour>& colours,
-                       const SpaceView& view) {
+                       const SpaceView& view, const SpaceScenery* scenery) {
   if (upright.particles.empty())
     throw InputError("there are no particles to show");
   PixelImage image;
@@ -175,6 +168,8 @@ SpacePixels draw_space(const ParticleSet& upright, const std::vector<Colour>& co
   const Screen screen = screen_for(seen_range(seen, view), buffer, view.zoom);
   for (std::size_t k = 0; k < seen.particles.size(); ++k)
     draw_particle(buffer, screen, seen, k);
+  if (scenery)
+    draw_scenery(buffer, screen, *scenery, Camera(view));
   image.samples.reserve(3 * image.width * image.height);
   constexpr double share = 1.0 / (rays_per_side * rays_per_side);
   for (std::size_t row = 0; row < image.height; ++row)
@@ -225,13 +220,10 @@ std::string space_picture(PictureFormat format, const ParticleSet& upright,
     throw InputError("the picture is too low for its heading and scale: choose a larger --height, "
                      "or --bare");
   const auto canvas = make_canvas(format, view.width, view.height);
-  const SpacePixels pixels = draw_space(upright, colours.colours, inner);
+  const SpaceScenery scenery = scenery_of(inner, upright.box, shown_part(upright, inner), unit);
+  const SpacePixels pixels = draw_space(upright, colours.colours, inner, &scenery);
   canvas->image({0.0, heading}, pixels.image);
   canvas->begin_clip({0.0, heading}, view.width, inner.height);
-  const SpaceProjection to(inner, pixels, heading);
-  draw_surfaces(*canvas, to, inner, shown_part(upright, inner), unit);
-  if (view.show_box)
-    draw_box(*canvas, to, upright.box, unit);
   if (view.show_axes)
     draw_axes(*canvas, inner, {side + 60.0 * unit, heading + inner.height - 90.0 * unit}, unit);
   canvas->end_clip();

@@ -13,6 +13,8 @@
 
 namespace ellipsoid::post {
 
+struct SpaceScenery;
+
 struct SpaceView {
   double azimuth_deg = -60.0;     ///< of the camera about z, from x
   double elevation_deg = 25.0;    ///< of the camera over the xy plane
@@ -36,10 +38,10 @@ struct SpacePixels {
 /// Particles in space as shaded ellipsoids or sub-spheres, parallel projection; z points up.
 /// Every visible point is an exact intersection of a pixel's ray with a body (no triangles, no
 /// OpenGL, no display); three by three rays per pixel.
-/// @param[in] colours one per particle
+/// @param[in] colours one per particle, @param[in] scenery see space_scenery.h, or null
 /// Throws InputError when there are no particles.
 SpacePixels draw_space(const ParticleSet& upright, const std::vector<Colour>& colours,
-                       const SpaceView& view);
+                       const SpaceView& view, const SpaceScenery* scenery = nullptr);
 
 /// The same with a heading, a scale bar and, where there is a scale, a colour bar.
 /// @return the file's bytes. Throws InputError for PNG in a build without cairo.

@@ -4,6 +4,7 @@
 #include "axis_scale.h"
 #include "csv_table.h"
 #include "input_error.h"
+#include "key_units.h"
 #include "legends.h"
 
 #include <algorithm>
@@ -104,41 +105,9 @@ void draw_map_axes(Canvas& canvas, const MapAxis& x, const MapAxis& y, const Tab
 } // namespace
 
 std::string label_of_key(const std::string& key) {
-  static const std::vector<std::pair<std::string, std::string>> units = {
-      {"_kg_per_m2_s", "kg/m2/s"},
-      {"_kg_per_m3", "kg/m3"},
-      {"_kg_per_s", "kg/s"},
-      {"_m2_per_s2", "m2/s2"},
-      {"_m2_per_s", "m2/s"},
-      {"_m_per_s", "m/s"},
-      {"_rad_per_s", "rad/s"},
-      {"_N_per_m3", "N/m3"},
-      {"_N_per_m", "N/m"},
-      {"_per_m3", "1/m3"},
-      {"_per_m", "1/m"},
-      {"_per_s", "1/s"},
-      {"_rad2", "rad2"},
-      {"_rad", "rad"},
-      {"_deg", "deg"},
-      {"_Pa", "Pa"},
-      {"_kg", "kg"},
-      {"_m2", "m2"},
-      {"_m3", "m3"},
-      {"_m", "m"},
-      {"_s", "s"},
-      {"_b", "b"},
-      {"_J", "J"},
-      {"_N", "N"}};
-  std::string words = key, unit;
-  for (const auto& [ending, name] : units)
-    if (key.size() > ending.size() &&
-        key.compare(key.size() - ending.size(), ending.size(), ending) == 0) {
-      words = key.substr(0, key.size() - ending.size());
-      unit = " (" + name + ")";
-      break;
-    }
+  auto [words, unit] = parts_of_key(key);
   std::replace(words.begin(), words.end(), '_', ' ');
-  return words + unit;
+  return unit.empty() ? words : words + " (" + unit_in_words(unit) + ")";
 }
 
 namespace {

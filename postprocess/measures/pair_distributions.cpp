@@ -129,6 +129,10 @@ std::vector<PairsAtDistance> pairs_by_distance(const ParticleSet& set,
 
 } // namespace
 
+double largest_pair_distance(const ParticleSet& set, const PeriodicCell& cell) {
+  return RegionSeen(centres_of(set), cell).farthest();
+}
+
 std::vector<DistanceBin> pair_distribution(const ParticleSet& set, const PeriodicCell& cell,
                                            double farthest, int bins) {
   if (set.particles.size() < 2)

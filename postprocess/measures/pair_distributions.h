@@ -19,6 +19,9 @@ struct DistanceBin {
   std::optional<double> g2;      ///< mean of P2(u_i . u_j) of the pairs that have directions
 };
 
+/// The largest distance of centres that pair_distribution() takes (length).
+double largest_pair_distance(const ParticleSet& set, const PeriodicCell& cell);
+
 /// g(r) and g2(r) up to `farthest` in equal bins. u: the longest semi-axes, of discs the shortest
 /// ones. The region is the box along axes that repeat, and the extent of the centres along others.
 /// Throws InputError for fewer than two particles, for distances beyond half of a repeating

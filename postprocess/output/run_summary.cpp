@@ -2,6 +2,8 @@
 #include "run_summary.h"
 
 #include "csv_table.h"
+#include "key_units.h"
+#include "natural_order.h"
 #include "spread.h"
 #include "whole_token.h"
 
@@ -9,7 +11,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
-#include <tuple>
 
 namespace ellipsoid::post {
 namespace {
@@ -29,14 +30,13 @@ std::string label_of(const Value* value) {
   return text ? *text : "-";
 }
 
-/// Numbers as numbers, and before words.
+/// Numbers as numbers, and before words; words in natural order.
 bool comes_before(const Quantity& p, const Quantity& q) {
-  const auto ranked = [](const Quantity& label) {
-    const std::string text = std::get<std::string>(label.value);
-    const auto number = whole_token<double>(text);
-    return std::make_tuple(!number, number.value_or(0.0), text);
-  };
-  return ranked(p) < ranked(q);
+  const std::string &a = std::get<std::string>(p.value), &b = std::get<std::string>(q.value);
+  const auto x = whole_token<double>(a), y = whole_token<double>(b);
+  if (x && y && *x != *y)
+    return *x < *y;
+  return x.has_value() == y.has_value() ? natural_less(a, b) : x.has_value();
 }
 
 std::vector<Group> groups_of(const Table& runs, const std::vector<std::string>& keys) {
@@ -72,13 +72,8 @@ std::vector<double> numbers_of(const Group& group, const std::string& key) {
 
 /// "repose_angle_deg" and "half_range" to "repose_angle_half_range_deg": the unit stays last.
 std::string key_with(const std::string& key, const std::string& what) {
-  for (const char* unit : {"_deg", "_m2", "_m3", "_m_per_s", "_m", "_s", "_b", "_J", "_N"}) {
-    const std::string ending = unit;
-    if (key.size() > ending.size() &&
-        key.compare(key.size() - ending.size(), ending.size(), ending) == 0)
-      return key.substr(0, key.size() - ending.size()) + "_" + what + ending;
-  }
-  return key + "_" + what;
+  const auto [name, unit] = parts_of_key(key);
+  return name + "_" + what + (unit.empty() ? "" : "_" + unit);
 }
 
 void append_spread(Row& row, const Quantity& quantity, const Spread& s) {

@@ -3,6 +3,7 @@
 
 #include "byte_source.h"
 #include "frame_rows.h"
+#include "natural_order.h"
 
 #include <algorithm>
 #include <cctype>
@@ -18,36 +19,6 @@ namespace {
 
 bool is_digit(char letter) { return std::isdigit(static_cast<unsigned char>(letter)) != 0; }
 
-/// Compares runs of digits as numbers.
-bool natural_less(const std::string& a, const std::string& b) {
-  std::size_t i = 0, j = 0;
-  while (i < a.size() && j < b.size()) {
-    if (is_digit(a[i]) && is_digit(b[j])) {
-      std::size_t i_end = i, j_end = j;
-      while (i_end < a.size() && is_digit(a[i_end]))
-        ++i_end;
-      while (j_end < b.size() && is_digit(b[j_end]))
-        ++j_end;
-      while (i < i_end && a[i] == '0')
-        ++i;
-      while (j < j_end && b[j] == '0')
-        ++j;
-      if (i_end - i != j_end - j)
-        return i_end - i < j_end - j;
-      if (const int order = a.compare(i, i_end - i, b, j, j_end - j); order != 0)
-        return order < 0;
-      i = i_end;
-      j = j_end;
-    } else {
-      if (a[i] != b[j])
-        return a[i] < b[j];
-      ++i;
-      ++j;
-    }
-  }
-  return a.size() - i < b.size() - j;
-}
-
 std::uint64_t file_size(const std::string& path) {
   struct stat status {};
   const bool is_known = stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
@@ -57,7 +28,9 @@ std::uint64_t file_size(const std::string& path) {
 } // namespace
 
 std::vector<std::string> expand(const std::string& pattern) {
-  if (pattern.find_first_of("*?[") == std::string::npos)
+  struct stat described {};
+  const bool is_file = stat(pattern.c_str(), &described) == 0; // whose name has such signs
+  if (is_file || pattern.find_first_of("*?[") == std::string::npos)
     return {pattern};
   glob_t found{};
   const int status = glob(pattern.c_str(), 0, nullptr, &found);

@@ -11,7 +11,8 @@
 namespace ellipsoid::post {
 
 /// Names that match a pattern with * ? [..], in natural order (dump.9 before dump.10); a name
-/// without such signs is returned as it is. Throws InputError when nothing matches.
+/// without such signs, or of a file that is there, is returned as it is. Throws InputError when
+/// nothing matches.
 std::vector<std::string> expand(const std::string& pattern);
 
 /// Files of one run and what to call it.

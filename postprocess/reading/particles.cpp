@@ -60,14 +60,29 @@ void add_clump(ParticleSet& set, Particle& particle, const ClumpTemplate& clump)
   add_spheres(set, particle, clump.spheres, particle.semiaxes.y);
 }
 
+/// Exponents of superquadrics, whatever the program calls them: blockiness1, block2, c_block[1].
+bool names_blockiness(std::string name) {
+  if (name.size() > 2 && name[1] == '_') // of a compute, fix or variable
+    name.erase(0, 2);
+  for (const std::string word : {"block", "iness"})
+    if (name.compare(0, word.size(), word) == 0)
+      name.erase(0, word.size());
+    else if (word == "block")
+      return false;
+  return name.find_first_not_of("0123456789xy[]") == std::string::npos;
+}
+
 /// Superquadrics other than ellipsoids cannot be measured.
 void refuse_blocks(const NamedColumns& columns) {
-  for (const char* name : {"blockiness1", "blockiness2", "blockiness[1]", "blockiness[2]"})
-    if (const Column blockiness = columns.find(name))
-      for (std::size_t row = 0; row < blockiness->size(); ++row)
-        if ((*blockiness)[row] != 2.0)
-          throw bad_value(columns.frame(), row, fmt::format("{} 2, an ellipsoid", name),
-                          fmt::format("{}", (*blockiness)[row]));
+  for (const std::string& name : columns.frame().names) {
+    if (!names_blockiness(name))
+      continue;
+    const std::vector<double>& exponents = columns.frame().required(name, "which bodies these are");
+    for (std::size_t row = 0; row < exponents.size(); ++row)
+      if (exponents[row] != 2.0)
+        throw bad_value(columns.frame(), row, fmt::format("{} 2, an ellipsoid", name),
+                        fmt::format("{}", exponents[row]));
+  }
 }
 
 /// The frame's box, with what the user says of its sides.

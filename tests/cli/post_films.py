@@ -5,6 +5,9 @@ import glob
 import os
 import re
 
+import numpy as np
+
+from _png import pixels_of
 from _synthetic import B, frame_text, particle, post, wedge, write
 
 
@@ -132,6 +135,12 @@ def stl(triangles):
     return "solid s\n" + "".join(facets) + "endsolid s\n"
 
 
+def dark_places(line):
+    """Middles of the groups of pixels that are not white."""
+    dark = np.flatnonzero(line.min(axis=1) < 230)
+    return [group.mean() for group in np.split(dark, np.flatnonzero(np.diff(dark) > 2) + 1) if len(group)]
+
+
 def check_walls_and_meshes():
     """Seen along y, upright: x and z are pixels times one scale, known from the mesh's own sides."""
     os.makedirs("walled", exist_ok=True)
@@ -144,29 +153,24 @@ def check_walls_and_meshes():
     for row in rows:
         row["z"] = 0.03
     name = write("walled/bed.dump", frame_text(3, rows))
-    camera = ("--azimuth", -90, "--elevation", 0, "--view", 0, 0.06, -0.01, 0.01, 0, 0.08)
-    _, error = post("render3d", name, "-o", "walls.svg", "--show-walls", *camera)
+    camera = ("--azimuth", -90, "--elevation", 0, "--view", 0, 0.06, -0.01, 0.01, 0, 0.08, "--width", 600, "--height", 450, "--no-axes")
+    _, error = post("render3d", name, "-o", "walls.png", "--show-walls", *camera)
     assert "mesh belt (plate.stl) is not shown: it moves" in error, error
-    with open("walls.svg", encoding="utf8") as file:
-        text = file.read()
-    pairs = [[tuple(map(float, p.split(","))) for p in points.split()] for points in
-             re.findall(r'<polyline points="([^"]*)"[^>]*stroke="#4d6b8c"', text)]
-    sides = sorted({round(abs(p[0] - q[0]) + abs(p[1] - q[1]), 1) for p, q in pairs})
-    assert len(pairs) == 4 and len(sides) == 2, pairs  # the rim, without the seam of the two triangles
-    scale = sides[0] / 0.03
-    assert abs(sides[1] / scale - 0.04) < 1e-5, sides
-    low = max(y for pair in pairs for _, y in pair)  # of the plate, at z = 0.02
-    (floor,) = re.findall(r'<polygon points="([^"]*)"[^>]*fill-opacity="0.15"', text)  # not the far one
-    corners = [tuple(map(float, p.split(","))) for p in floor.split()]
-    assert all(abs(y - low - 0.015 * scale) < 0.1 for _, y in corners), (corners, low)
-    assert abs(max(x for x, _ in corners) - min(x for x, _ in corners) - 0.06 * scale) < 0.1
-    post("render3d", name, "-o", "mesh.svg", "--mesh", "walled/plate.stl", *camera)
-    with open("mesh.svg", encoding="utf8") as file:
-        text = file.read()
-    assert text.count('stroke="#4d6b8c"') == 4 and "fill-opacity" not in text  # the mesh as it lies, no wall
-    post("render3d", name, "-o", "plain.svg", *camera)
-    with open("plain.svg", encoding="utf8") as file:
-        assert "#4d6b8c" not in file.read()
+    picture = pixels_of("walls.png")[26:418]  # without heading and scale bar
+    sides = dark_places(picture[len(picture) // 4])  # at z = 0.06 or so, above the particles
+    across = [line for line in (dark_places(picture[k]) for k in range(len(picture))) if len(line) == 2]
+    left, right = np.median(np.array(across), axis=0)  # x = 0.01 and 0.04: the rim, without the seam of the two triangles
+    assert len(across) > 50 and len(sides) <= 2, (len(across), sides)
+    scale = (right - left) / 0.03
+    middle = round(0.5 * (left + right))  # x = 0.025, between the particles
+    top, bottom, floor = dark_places(picture[:, middle])  # z = 0.06, 0.02 and 0.005: not the wall far away
+    assert abs((bottom - top) / scale - 0.04) < 2 / scale and abs((floor - bottom) / scale - 0.015) < 2 / scale, (top, bottom, floor)
+    post("render3d", name, "-o", "mesh.png", "--mesh", "walled/plate.stl", *camera)
+    post("render3d", name, "-o", "plain.png", *camera)
+    plain, mesh = pixels_of("plain.png")[26:418], pixels_of("mesh.png")[26:418]
+    assert dark_places(plain[:, middle]) == []
+    (edge,) = dark_places(mesh[:, middle])  # the mesh as it lies in its file, 30 m wide: of its edges one is seen here, at z = 0
+    assert abs((edge - bottom) / scale - 0.02) < 2 / scale, (edge, bottom)
 
 
 series()

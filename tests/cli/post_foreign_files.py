@@ -149,6 +149,10 @@ def check_meanings_of_columns():
             words=("block.dump:10", "blockiness1 2"))
     one[0] = one[0][:-2] + (2, 2)
     post("orientation", dump("round.dump", ELLIPSOIDS + " blockiness1 blockiness2", one))
+    one[0] = one[0][:-2] + (2, 4)
+    for names in ("block1 block2", "blockx blocky", "c_block[1] c_block[2]", "f_blockiness[1] f_blockiness[2]"):
+        refused("orientation", dump("block.dump", ELLIPSOIDS + " " + names, one), words=("block.dump:10", names.split()[1] + " 2, an ellipsoid"))
+    post("orientation", dump("number.dump", ELLIPSOIDS + " c_block_number blocks", one))
     two = [(k, 1, 0, y, 0, 1, 0, 0, 0, 0.0027, 0.00115, 0.00115, k) for k, y in ((1, 0), (2, 0.0025))]
     assert contacts(dump("mol.dump", ELLIPSOIDS + " mol", two)) == 0
     balls = [(k, 7, 0.0, y, 0.0, 1.0) for k, y in ((1, 0.0), (2, 1.5), (3, 4.0))]
@@ -305,6 +309,25 @@ def check_contact_lists():
     assert len(out.splitlines()) == 11 and "no contacts of time step 100" in error, (out, error)
 
 
+def check_order_of_frames():
+    """Measures of motion: a frame that comes twice counts once, one that comes too early is refused."""
+    ball = lambda x: [(1, 1, x, 0.0, 0.0, 0.1, 2.0) + (0,) * 6, (2, 1, 0.5, 0.5, 0.5, 0.1, 2.0) + (0,) * 6]
+    texts = []
+    for step, x in ((0, 0.1), (10, 0.2), (10, 0.2), (20, 0.4)):
+        with open(dump("step.dump", "id type x y z radius mass vx vy vz omegax omegay omegaz", ball(x), step=step), encoding="ascii") as file:
+            texts.append(file.read())
+    once = {}
+    for name, order in (("once", (0, 1, 3)), ("twice", (0, 1, 2, 3)), ("early", (1, 0, 3))):
+        with open("series.dump", "w", encoding="ascii") as file:
+            file.write("".join(texts[k] for k in order))
+        for command, more in (("trajectory", ()), ("flow", ("--through", 0.3, 0, 0, 1, 0, 0)), ("trajectory", ("--collisions", "--dt", 1))):
+            if name == "early":
+                assert "in the order of time" in post(command, "series.dump", *more, expect=1)[1], command
+                continue
+            rows = json_of(command, "series.dump", *more)
+            assert once.setdefault((command, more), rows) == rows, (command, rows)
+
+
 def check_gravity():
     """Where gravity points: the option, the log beside the dump, the plane; else no potential."""
     up = [particle(1, 0.0, 0.01), particle(2, 0.0, 0.05)]
@@ -336,4 +359,5 @@ check_meanings_of_columns()
 check_long_axes()
 check_files()
 check_contact_lists()
+check_order_of_frames()
 check_gravity()

@@ -27,7 +27,7 @@ def main():
         text = page(name)
         for heading in ("Syntax", "Examples", "Description", "Related commands", "References"):
             assert f"## {heading}\n" in text, (name, heading)
-        options = re.findall(r"^  (?:-\w,)?(--[a-z0-9-]+)", post(name, "--help")[0], re.MULTILINE)
+        options = re.findall(r"^ {2,4}(?:-\w,)?(--[a-z0-9-]+)", post(name, "--help")[0], re.MULTILINE)
         assert options, name
         for option in options:
             assert option == "--help" or option in text or option in shared, (name, option)

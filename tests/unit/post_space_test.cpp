@@ -7,6 +7,7 @@
 #include "heap.h"
 #include "orientation.h"
 #include "space_picture.h"
+#include "space_scenery.h"
 #include "template_files.h"
 
 #include <cmath>
@@ -363,6 +364,59 @@ TEST(SpacePicture, a_chosen_part_of_the_space_sets_scale_and_place) {
   const Shadow shadow = shadow_of(pixels.image);
   EXPECT_NEAR(shadow.x, 600.0 + (2.0 - 4.0) * pixels.pixels_per_length, 1.0);
   EXPECT_NEAR(shadow.y, 450.0 - (4.0 - 4.0) * pixels.pixels_per_length, 1.0);
+}
+
+/// The colour of the pixel where a place in the camera's plane is seen.
+std::array<int, 3> pixel_at(const SpacePixels& pixels, double x, double y) {
+  const auto column = static_cast<std::size_t>(pixels.origin.x + x * pixels.pixels_per_length);
+  const auto row = static_cast<std::size_t>(pixels.origin.y - y * pixels.pixels_per_length);
+  const std::size_t first = 3 * (row * pixels.image.width + column);
+  return {pixels.image.samples[first], pixels.image.samples[first + 1],
+          pixels.image.samples[first + 2]};
+}
+
+TEST(SpacePicture, bodies_hide_what_lies_behind_them_and_nothing_else) {
+  ParticleSet set;
+  set.particles.push_back(ball(1.0, {}));
+  SpaceView view;
+  view.azimuth_deg = 0.0; // towards the camera: x; to the right: y; upwards: z
+  view.elevation_deg = 0.0;
+  view.part = Box();
+  for (int k = 0; k < 3; ++k) {
+    view.part->lower[k] = -3.0;
+    view.part->upper[k] = 3.0;
+  }
+  const std::vector<Colour> colours{{0.2, 0.4, 0.6}};
+  const SpacePixels plain = draw_space(set, colours, view);
+  const auto with_wall_at = [&](double x) {
+    SpaceScenery scenery;
+    scenery.walls = {{{x, -2.0, -2.0}, {x, 2.0, -2.0}, {x, 2.0, 2.0}, {x, -2.0, 2.0}}};
+    scenery.lines = {{{x, -2.0, 0.5}, {x, 2.0, 0.5}, LineKind::mesh}};
+    scenery.line_width = 5.0;
+    return draw_space(set, colours, view, &scenery);
+  };
+  const SpacePixels before = with_wall_at(1.5), behind = with_wall_at(-1.5),
+                    through = with_wall_at(0.5);
+  const auto mixed = [](int body, double wall) {
+    return static_cast<int>(std::lround(body + wall_opacity * (255.0 * wall - body)));
+  };
+  const std::array<int, 3> body = pixel_at(plain, 0.1, 0.0);
+  const std::array<int, 3> line{77, 107, 140}; // 0.30, 0.42, 0.55
+  EXPECT_EQ(pixel_at(behind, 0.1, 0.0), body);
+  EXPECT_EQ(pixel_at(behind, 0.1, 0.5), pixel_at(plain, 0.1, 0.5));
+  EXPECT_EQ(pixel_at(before, 0.1, 0.5), line);
+  EXPECT_EQ(pixel_at(through, 0.1, 0.0), body);  // the ball's top, at 1, lies before the wall
+  EXPECT_EQ(pixel_at(through, 0.95, 0.5), line); // beside the ball
+  for (int k = 0; k < 3; ++k) {
+    const double wall = std::array<double, 3>{0.45, 0.47, 0.50}[static_cast<std::size_t>(k)];
+    const auto part = static_cast<std::size_t>(k);
+    EXPECT_NEAR(pixel_at(before, 0.1, 0.0)[part], mixed(body[part], wall), 1);
+    // at 0.95 from the middle the ball reaches 0.31, behind the wall at 0.5
+    EXPECT_NEAR(pixel_at(through, 0.95, 0.0)[part], mixed(pixel_at(plain, 0.95, 0.0)[part], wall),
+                1);
+    EXPECT_NEAR(pixel_at(behind, 1.5, 0.0)[part], mixed(255, wall), 1);
+    EXPECT_EQ(pixel_at(behind, 2.5, 0.0)[part], 255);
+  }
 }
 
 TEST(Energy, of_a_spinning_ellipsoid) {

@@ -60,6 +60,8 @@ std::string component_name(std::size_t count, std::size_t k, const ComponentName
   return count == 1 ? "" : count == 3 ? names[k] : names[k / 3] + names[k % 3];
 }
 
+const char* const standard_error = ", standard error"; ///< behind a column's name
+
 } // namespace
 
 void append_fields(Row& row, const Fields& fields, const KnownFields& known,
@@ -88,22 +90,19 @@ void append_field_errors(Row& row, const KnownFields& known, const ComponentName
     for (std::size_t k = 0; k < column.components.size(); ++k, ++n) {
       const std::string component = component_name(column.components.size(), k, names);
       const std::string name = column.name + (component.empty() ? "" : " " + component);
-      row.push_back({key_of(column, component, "standard_error"), name + ", standard error",
+      row.push_back({key_of(column, component, "standard_error"), name + standard_error,
                      column.unit, n < errors.size() ? Value(errors[n]) : Value()});
     }
 }
 
-void append_main_fields(Row& row, const Fields& fields, const KnownFields& known,
-                        const ComponentNames& names) {
-  Row all;
-  append_fields(all, fields, known, names);
+void append_main_fields(Row& row, const Row& all, const ComponentNames& names) {
   const std::string last = names[2] + names[2];
   for (const std::string& name :
        {std::string("density"), std::string("solid fraction"), "velocity " + names[0],
         "velocity " + names[1], "velocity " + names[2], std::string("temperature"),
-        std::string("pressure"), "stress " + last})
+        std::string("pressure"), "stress " + last, "fabric " + last})
     for (const Quantity& q : all)
-      if (q.name == name)
+      if (q.name == name || q.name == name + standard_error)
         row.push_back(q);
 }
 

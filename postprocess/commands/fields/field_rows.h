@@ -31,9 +31,8 @@ std::vector<double> field_numbers(const Fields& fields, const KnownFields& known
 void append_field_errors(Row& row, const KnownFields& known, const ComponentNames& names,
                          const std::vector<double>& errors);
 
-/// The few that people look at first.
-void append_main_fields(Row& row, const Fields& fields, const KnownFields& known,
-                        const ComponentNames& names);
+/// The few of all quantities that people look at first, with their errors.
+void append_main_fields(Row& row, const Row& all, const ComponentNames& names);
 
 /// All quantities at the points of a grid.
 std::vector<GridValues> grid_values(const std::vector<Fields>& fields, const KnownFields& known);

@@ -6,6 +6,7 @@
 #include "messages.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <thread>
 
 namespace ellipsoid::post {
@@ -20,7 +21,12 @@ RunGrouping grouping_of(const FrameOptions& options) {
 } // namespace
 
 std::vector<Run> runs_of(const FrameOptions& options) {
-  return runs_of(options.runs, grouping_of(options));
+  std::vector<Run> runs = runs_of(options.runs, grouping_of(options));
+  if (options.takes_one_run && runs.size() > 1)
+    throw InputError(fmt::format("expected one run, found {}, among them {} and {}: take one at a "
+                                 "time, or --one-run if they are parts of one",
+                                 runs.size(), runs[0].name, runs[1].name));
+  return runs;
 }
 
 int for_measured_frames(const FrameOptions& options,

@@ -81,9 +81,21 @@ void add_column_options(CLI::App& command, ParticleOptions& particles) {
       ->check(CLI::IsMember({"none", "x", "y", "z", "xy", "xz", "yz", "xyz"}));
 }
 
+void add_thread_option(CLI::App& command, FrameOptions& options) {
+  command
+      .add_option("--threads", options.threads,
+                  "frames measured at the same time with --frame all (0: one per processor)")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command.parse_complete_callback([&command, &options] {
+    if (options.frames != "all")
+      refuse_without_effect(command, {"--threads"}, "without --frame all");
+  });
+}
+
 } // namespace
 
-void add_frame_options(CLI::App& command, FrameOptions& options) {
+void add_frame_options(CLI::App& command, FrameOptions& options, FrameUse use) {
   command
       .add_option(
           "runs", options.runs,
@@ -92,19 +104,21 @@ void add_frame_options(CLI::App& command, FrameOptions& options) {
           "step are one run, and so is a quoted pattern 'dump.*'; every other file is a run")
       ->required();
   auto* one_run = command.add_flag("--one-run", options.one_run, "all files together are one run");
-  command.add_flag("--each-file", options.each_file, "every file is a run of its own")
-      ->excludes(one_run);
+  options.takes_one_run = use == FrameUse::one_series;
+  if (!options.takes_one_run)
+    command.add_flag("--each-file", options.each_file, "every file is a run of its own")
+        ->excludes(one_run);
   command.add_option("--frame", options.frames, "last, first, all, or the time step of one frame")
       ->check(CLI::Validator(check_frames, "FRAME"))
       ->capture_default_str();
   add_size_options(command, options.particles);
   add_column_options(command, options.particles);
-  command
-      .add_option("--threads", options.threads,
-                  "frames measured at the same time with --frame all (0: one per processor)")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  add_output_options(command, options);
+  if (use == FrameUse::table)
+    add_thread_option(command, options);
+  if (use == FrameUse::table || use == FrameUse::rows)
+    add_output_options(command, options);
+  if (use == FrameUse::page)
+    add_table_file_options(command, options);
 }
 
 } // namespace ellipsoid::post

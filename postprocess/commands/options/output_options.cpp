@@ -3,11 +3,15 @@
 
 namespace ellipsoid::post {
 
-void add_output_options(CLI::App& command, OutputOptions& options) {
+void add_table_file_options(CLI::App& command, OutputOptions& options) {
   command.add_option("--csv", options.csv,
                      "write the table as CSV to a file, \"-\": to standard output");
   command.add_option("--json", options.json,
                      "write the table as JSON to a file, \"-\": to standard output");
+}
+
+void add_output_options(CLI::App& command, OutputOptions& options) {
+  add_table_file_options(command, options);
   command.add_flag("--quiet", options.quiet, "print no table for people");
 }
 

@@ -14,6 +14,9 @@ struct OutputOptions {
   bool quiet = false;    ///< no table for people
 };
 
+/// Adds --csv and --json.
+void add_table_file_options(CLI::App& command, OutputOptions& options);
+
 /// Adds --csv, --json and --quiet.
 void add_output_options(CLI::App& command, OutputOptions& options);
 

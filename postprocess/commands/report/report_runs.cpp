@@ -3,6 +3,7 @@
 
 #include "frame_loop.h"
 #include "gravity_options.h"
+#include "natural_order.h"
 #include "paper_parameters.h"
 #include "picture_options.h"
 #include "report_page.h"
@@ -97,7 +98,7 @@ std::vector<std::string> with_folders_opened(const std::vector<std::string>& arg
     }
     if (found.empty())
       throw InputError(fmt::format("{}: no file *.dump in this folder", argument));
-    std::sort(found.begin(), found.end());
+    std::sort(found.begin(), found.end(), natural_less);
     result.insert(result.end(), found.begin(), found.end());
   }
   return result;
@@ -107,6 +108,9 @@ std::vector<ReportedRun> reported_runs(const ReportOptions& options, int& exit_c
   std::vector<ReportedRun> runs;
   exit_code = for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
     runs.push_back(reported(options, chosen));
+  });
+  std::stable_sort(runs.begin(), runs.end(), [](const ReportedRun& p, const ReportedRun& q) {
+    return natural_less(p.name(), q.name());
   });
   return runs;
 }

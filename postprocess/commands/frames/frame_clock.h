@@ -1,0 +1,31 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#pragma once
+
+#include "frame_loop.h"
+#include "input_error.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace ellipsoid::post {
+
+/// The order of a run's frames, for measures of what happens between them.
+class FrameClock {
+ public:
+  /// Whether a frame comes later than the one before it; a frame that is repeated does not.
+  /// Throws InputError for one that comes earlier.
+  bool advances(const ChosenFrame& chosen) {
+    const std::int64_t step = chosen.frame.timestep;
+    if (m_last && step < *m_last)
+      throw InputError("this frame comes before the one ahead of it in the files: name the files "
+                       "in the order of time");
+    const bool is_later = !m_last || step > *m_last;
+    m_last = step;
+    return is_later;
+  }
+
+ private:
+  std::optional<std::int64_t> m_last; ///< time step
+};
+
+} // namespace ellipsoid::post
