@@ -162,5 +162,5 @@ def write_scenes():
     write_clump()
     write_mesh("face.stl", [(-0.03, -0.03, 0.0038), (0.06, -0.03, 0.0038), (0.0, 0.06, 0.0038)])
     write_tables()
-    post("template", "--subspheres", 3, "--stl", "body.stl", "--quiet")
+    post("template", "--subspheres", 7, "--stl", "body.stl", "--quiet")
     post("view", "logged/one.dump", "-o", "view.html")
