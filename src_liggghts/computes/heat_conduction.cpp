@@ -72,6 +72,7 @@ bool conduct_heat(LAMMPS* lmp, const HeatConduction& heat) {
   const EllipsoidContactCaller* pair = EllipsoidContactCaller::pair_of(*lmp->force);
   if (!pair || !are_ellipsoids(lmp))
     return false;
+  refuse_unknown_area(lmp, heat);
   const Atom& atom = *lmp->atom;
   for (const ContactRecord& contact : pair->records()) {
     const int i = contact.index_i, j = contact.index_j;
@@ -80,7 +81,8 @@ bool conduct_heat(LAMMPS* lmp, const HeatConduction& heat) {
     const int type_i = atom.type[i] - 1, type_j = atom.type[j] - 1;
     const double area = contact_area(atom, heat, contact, type_i, type_j);
     const double flux = contact.weight *
-                        conductance(heat.conductivity[type_i], heat.conductivity[type_j], area) *
+                        conductance(heat.conductivity[type_i], heat.conductivity[type_j],
+                                    heat.by_radius ? area / M_PI : area) *
                         (heat.temperature[j] - heat.temperature[i]);
     const Vector3 path = contact.position_i - contact.position_j;
     add(heat, i, flux, 1.0, path, area);

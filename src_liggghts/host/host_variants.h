@@ -1,7 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // What the hosts that this package is compiled with call differently: LIGGGHTS-PUBLIC (and
-// PICI-LIGGGHTS), or LIGGGHTS-INL. Pair styles: host_pair.h; meshes: host_mesh.h.
+// PICI-LIGGGHTS), or LIGGGHTS-INL. Pair styles: host_pair.h; meshes: host_mesh.h; walls:
+// host_wall.h.
 #ifndef ELLIPSOID_HOST_VARIANTS_H
 #define ELLIPSOID_HOST_VARIANTS_H
 
@@ -15,5 +16,19 @@
 #else
 #define ELLIPSOID_RESTART_PARAMETERS char* buffer
 #endif
+
+namespace ellipsoid_host {
+
+/// The distance (length) that `reduce_dist_from_subdomain_border_to_particle_radius` of
+/// LIGGGHTS-INL's fix insert/pack keeps: of one body its bounding sphere, as without that keyword.
+template <class Particle> void set_distance_from_borders(Particle& particle) {
+#ifdef ELLIPSOID_HOST_INL
+  particle.radius_ins_max = particle.r_bound_ins;
+#else
+  static_cast<void>(particle);
+#endif
+}
+
+} // namespace ellipsoid_host
 
 #endif

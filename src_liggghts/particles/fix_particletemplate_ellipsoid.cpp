@@ -7,6 +7,7 @@
 #include "error.h"
 #include "fix_clumps_ellipsoid.h"
 #include "force.h"
+#include "host_variants.h"
 #include "math_extra_liggghts.h"
 #include "memory.h"
 #include "modify.h"
@@ -342,6 +343,7 @@ void FixParticletemplateEllipsoid::fill(ParticleToInsertEllipsoid& p,
   const bool one_size = variations_.empty(); // its mass and moments may be given
   p.atom_type = atom_type;
   p.radius_ins[0] = p.r_bound_ins = body_.bounding_radius(axes);
+  ellipsoid_host::set_distance_from_borders(p);
   p.density_ins = density_;
   p.volume_ins = volume;
   p.area_ins = body_.surface_area(axes);

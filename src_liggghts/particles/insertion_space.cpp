@@ -11,6 +11,7 @@
 #include "fix_particletemplate_ellipsoid.h"
 #include "fix_property_atom.h"
 #include "force.h"
+#include "host_variants.h"
 #include "insertion/occupied_space.h"
 #include "math_extra_liggghts.h"
 #include "modify.h"
@@ -200,6 +201,16 @@ bool InsertionSpace::is_within_region(const SolidBody& body, const PlainBody& pl
   return false;
 }
 
+/// Whether a sphere keeps from the borders of its rank's domain.
+bool stays_within_rank(Domain& domain, double* centre, double radius) {
+#ifdef ELLIPSOID_HOST_INL
+  double distances[3] = {radius, radius, radius};
+  return domain.check_dist_subbox_borders(centre, distances);
+#else
+  return domain.dist_subbox_borders(centre) >= radius;
+#endif
+}
+
 PlainBody plain_body(const ParticleToInsertEllipsoid& particle, const double* centre,
                      const double* quaternion) {
   PlainBody plain{};
@@ -217,7 +228,7 @@ bool InsertionSpace::reaches_others(const SolidBody& body, const PlainBody& plai
   const bool may_meet_others =
       comm->nprocs > 1 || domain->xperiodic || domain->yperiodic || domain->zperiodic;
   PlainBody copy = plain;
-  return may_meet_others && domain->dist_subbox_borders(copy.centre) < body.bounding_radius;
+  return may_meet_others && !stays_within_rank(*domain, copy.centre, body.bounding_radius);
 }
 
 bool InsertionSpace::take(const ParticleToInsertEllipsoid& particle, const double* centre,

@@ -88,7 +88,7 @@ char** checked(LAMMPS* lmp, int narg, char** arg) {
 } // namespace
 
 FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg)
-    : FixWallGran(lmp, narg, checked(lmp, narg, arg)),
+    : HostWall(lmp, narg, checked(lmp, narg, arg)),
       law_(ellipsoid_host::wall_law({arg + 3, arg + narg})), meshes_(lmp) {
   const bool multisphere = impl->contact_match("surface", "multisphere");
   if (!multisphere && !impl->contact_match("surface", "smooth"))
@@ -169,6 +169,7 @@ void FixWallGranEllipsoid::pre_delete(bool unfixflag) {
 
 void FixWallGranEllipsoid::init() {
   FixWallGran::init();
+  check_heat();
   if (!atom->superquadric_flag)
     error->fix_error(FLERR, this, "needs particles with shape: use atom_style granular/ellipsoid");
   for (int m = 0; m < n_FixMesh_; ++m)
@@ -321,12 +322,10 @@ FixWallGranEllipsoid::Heat FixWallGranEllipsoid::present_heat(int i) const {
 /// put the sphere of an elliptic contact.
 void FixWallGranEllipsoid::weigh_heat(int i, const Heat& before, const WallContact& contact,
                                       double weight) {
-  constexpr int by_overlap = 0; // CONDUCTION_CONTACT_AREA_OVERLAP of the host's fix_wall_gran.cpp
-  const double share = area_calculation_mode_ == by_overlap
-                           ? weight * std::sqrt(contact.reduced_radius / curvature_radius_i)
-                           : weight;
+  const double sphere = sphere_of_heat(i, curvature_radius_i);
+  const double share = sphere > 0.0 ? weight * std::sqrt(contact.reduced_radius / sphere) : weight;
   double& flux = fppa_hf->vector_atom[i];
-  if (area_calculation_mode_ == by_overlap && !std::isfinite(flux)) { // of a negative area
+  if (sphere > 0.0 && !std::isfinite(flux)) { // of a negative area
     flux = before.flux;
     Q_add = before.total;
     return;

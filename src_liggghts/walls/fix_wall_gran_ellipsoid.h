@@ -10,7 +10,7 @@ FixStyle(wall/gran/ellipsoid,FixWallGranEllipsoid)
 #define LMP_FIX_WALL_GRAN_ELLIPSOID_H
 
 #include "ellipsoid_contact_caller.h"
-#include "fix_wall_gran.h"
+#include "host_wall.h"
 #include "update.h"
 #include "wall_contact_finder.h"
 #include "wall_history.h"
@@ -24,7 +24,7 @@ namespace LAMMPS_NS {
 
 /// Takes the arguments of fix wall/gran. The host parses them, keeps the lists of near particles
 /// and applies the contact models; the geometry and the history of the contacts are ours.
-class FixWallGranEllipsoid : public FixWallGran,
+class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
                              public LIGGGHTS::ContactModels::EllipsoidContactCaller {
  public:
   FixWallGranEllipsoid(class LAMMPS* lmp, int narg, char** arg);
@@ -35,6 +35,7 @@ class FixWallGranEllipsoid : public FixWallGran,
   const std::string& law() const { return law_; }
   void post_force(int vflag) override {
     begin_records(update->ntimestep);
+    begin_heat();
     FixWallGran::post_force(vflag);
   }
 

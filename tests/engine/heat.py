@@ -3,11 +3,12 @@ bodies side by side, crossed and tip to tip, chains of spheres by brute force ov
 both kinds, and spheres against the host's own."""
 
 import math
+import subprocess
 import unittest
 
 import numpy as np
 
-from _engine import LAW, Material, Particle, Setup, quaternion_of, rotation, run
+from _engine import LAW, LIGGGHTS, Material, Particle, Setup, quaternion_of, rotation, run
 from _multisphere import pair_contacts, wall_contacts
 from _spinning import turned
 
@@ -15,6 +16,7 @@ K = (5.0, 12.0)  # conductivities of the two types, W/(m K)
 TEMPERATURES = (400.0, 300.0, 310.0)
 A, B, C = 2.7e-3, 1.9e-3, 1.1e-3
 OVERLAP = 1e-6
+OF_INL = "LIGGGHTS-INL" in subprocess.run([LIGGGHTS, "--version"], capture_output=True, text=True, check=True).stdout
 
 
 def conductance(area, k1=K[0], k2=K[1]):
@@ -111,6 +113,29 @@ class Pairs(unittest.TestCase):
             self.assertEqual(outcome.code, 1)
             self.assertRegex(outcome.text, "ERROR[^\n]*projection[^\n]*use 'contact_area overlap' or 'constant")
 
+    def test_shape_of_the_area_of_liggghts_inl(self):
+        """`area_shape circle`: by the radius of a circle of this area; other hosts have no such keyword."""
+        bodies = self.SCENES["crossed"][0]
+        options = "contact_area overlap area_shape circle"
+        if not OF_INL:
+            outcome = run(script(bodies, options=options), check=False)
+            self.assertEqual(outcome.code, 1)
+            self.assertRegex(outcome.text, "ERROR[^\n]*unknown keyword")
+            return
+        found = fluxes(bodies, "circle", options=options)
+        np.testing.assert_allclose(found, np.array([-1.0, 1.0]) * self.expected("crossed") / math.sqrt(math.pi),
+                                   rtol=2e-3)
+
+    def test_areas_of_other_bodies_are_refused(self):
+        for area in ("superquadric", "convex"):
+            for text in (script(self.SCENES["crossed"][0], options=f"contact_area {area}"),
+                         script(self.SCENES["crossed"][0], extra=f"fix w all wall/gran/ellipsoid {LAW} surface "
+                                f"smooth primitive type 1 zplane -0.04 temperature 300 contact_area {area}")):
+                outcome = run(text, check=False)
+                self.assertEqual(outcome.code, 1)
+                self.assertRegex(outcome.text, "ERROR[^\n]*'overlap'" if not OF_INL else
+                                 "ERROR[^\n]*'contact_area superquadric' and 'convex'[^\n]*use 'contact_area overlap'")
+
     def test_chain_of_spheres_sums_over_its_contacts(self):
         count = 17
         bodies = pair_along(1, 2 * C, ((A, C, C), STRAIGHT), ((A, C, C), STRAIGHT), overlap=5e-5)
@@ -161,6 +186,9 @@ class Walls(unittest.TestCase):
         mesh = (f"fix cad all mesh/surface file floor.stl type 2 temperature {self.HOT}\nfix w all "
                 f"wall/gran/ellipsoid {LAW} surface smooth mesh n_meshes 1 meshes cad")
         self.check(mesh, "smooth", body, [area])
+        if OF_INL:
+            for wall in (f"{plane} area_shape circle", f"{mesh} area_shape circle"):
+                self.check(wall, "smooth", body, [area / math.pi])
         chain = Particle((0, 0, B - OVERLAP), (A, B, B), type=1)
         areas = [2.0 * math.pi * r * h for _, h, r, _ in wall_contacts(chain, 17, (0, 0, 0), (0, 0, -1.0))]
         self.check(plane.replace("smooth", "multisphere"), "multisphere", chain, areas,
