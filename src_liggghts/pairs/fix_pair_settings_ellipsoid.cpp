@@ -4,8 +4,8 @@
 #include "comm.h"
 #include "error.h"
 #include "fix_particletemplate_ellipsoid.h"
-#include "fix_wall_gran_ellipsoid.h"
 #include "force.h"
+#include "has_law.h"
 #include "modify.h"
 #include "pair_gran_ellipsoid.h"
 
@@ -15,6 +15,7 @@
 #include <vector>
 
 using namespace LAMMPS_NS;
+using ellipsoid_host::HasLaw;
 
 namespace {
 
@@ -49,7 +50,7 @@ void FixPairSettingsEllipsoid::write_restart(FILE* file) {
   std::string state = present_arguments() + "\n";
   for (int k = 0; k < modify->nfix; ++k) {
     const std::string id = modify->fix[k]->id;
-    if (const auto* wall = dynamic_cast<FixWallGranEllipsoid*>(modify->fix[k]))
+    if (const auto* wall = dynamic_cast<HasLaw*>(modify->fix[k]))
       state += "wall " + id + " " + wall->law() + "\n";
     if (const auto* grain = dynamic_cast<FixParticletemplateEllipsoid*>(modify->fix[k]))
       state += "template " + id + " " + grain->sphere_chain() + "\n";
@@ -91,7 +92,7 @@ void FixPairSettingsEllipsoid::compare_arguments(const std::string& former) cons
 void FixPairSettingsEllipsoid::compare_wall(const std::string& id,
                                             const std::string& former) const {
   const int index = modify->find_fix(id.c_str());
-  const auto* wall = index < 0 ? nullptr : dynamic_cast<FixWallGranEllipsoid*>(modify->fix[index]);
+  const auto* wall = index < 0 ? nullptr : dynamic_cast<HasLaw*>(modify->fix[index]);
   if (wall && !former.empty() && in_one_order(former) != in_one_order(wall->law()))
     error->all(FLERR, ("The restart file has contacts with the wall of fix wall/gran/ellipsoid '" +
                        id + "' by '" + former + "', the script has '" + wall->law() +

@@ -10,6 +10,7 @@ FixStyle(wall/gran/ellipsoid,FixWallGranEllipsoid)
 #define LMP_FIX_WALL_GRAN_ELLIPSOID_H
 
 #include "ellipsoid_contact_caller.h"
+#include "has_law.h"
 #include "host_wall.h"
 #include "update.h"
 #include "wall_contact_finder.h"
@@ -25,14 +26,14 @@ namespace LAMMPS_NS {
 /// Takes the arguments of fix wall/gran. The host parses them, keeps the lists of near particles
 /// and applies the contact models; the geometry and the history of the contacts are ours.
 class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
+                             public ellipsoid_host::HasLaw,
                              public LIGGGHTS::ContactModels::EllipsoidContactCaller {
  public:
   FixWallGranEllipsoid(class LAMMPS* lmp, int narg, char** arg);
   void post_create() override;
   void pre_delete(bool unfixflag) override;
   void init() override;
-  /// Models and settings, as in the command.
-  const std::string& law() const { return law_; }
+  const std::string& law() const override { return law_; }
   void post_force(int vflag) override {
     begin_records(update->ntimestep);
     begin_heat();

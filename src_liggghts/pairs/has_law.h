@@ -1,0 +1,19 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#ifndef ELLIPSOID_HAS_LAW_H
+#define ELLIPSOID_HAS_LAW_H
+
+#include <string>
+
+namespace ellipsoid_host {
+
+/// A wall whose contact law belongs to what restart files keep (fix pair_settings/ellipsoid).
+class HasLaw {
+ public:
+  virtual ~HasLaw() = default;
+  /// Models and settings, as in the command.
+  virtual const std::string& law() const = 0;
+};
+
+} // namespace ellipsoid_host
+
+#endif
