@@ -164,7 +164,7 @@ def check_summary():
     with open("report.html", encoding="utf8") as file:
         page = file.read()
     assert re.search('<th scope="col">run</th>' + "".join(
-        f'<th scope="col">{name}.dump</th>' for name in ("one", "other", "coarse")), page)
+        f'<th scope="col">{name}.dump</th>' for name in ("coarse", "one", "other")), page)  # natural order
     assert re.search("coarse.dump: [^<]*, multisphere, N = 5", page) and "No log file" in page
     assert page.count("<figure>") >= 5 and "http" not in page.replace("http-equiv", "")
 
