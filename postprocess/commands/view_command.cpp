@@ -96,15 +96,15 @@ void say_sizes(const ViewOptions& options, const ViewSurvey& survey, const ViewP
 }
 
 /// The axis that points up: as given, or of the first frame's log. 1: y, 2: z.
-int up_axis(const ViewOptions& options) {
+unsigned up_axis(const ViewOptions& options) {
   if (!options.up.empty())
-    return options.up == "y" ? 1 : 2;
+    return options.up == "y" ? 1u : 2u;
   FrameOptions first = options.frames;
   first.frames = "first";
-  int axis = 2;
+  unsigned axis = 2;
   const MuteMessages mute; // what is wrong with a file is said when it is read
   for_chosen_frames(first, [&](const ChosenFrame& chosen) {
-    axis = up_direction("", chosen).axis == UpAxis::y ? 1 : 2;
+    axis = up_direction("", chosen).axis == UpAxis::y ? 1u : 2u;
   });
   return axis;
 }
@@ -120,7 +120,7 @@ std::string colour_of_page(const ViewOptions& options, const ViewSurvey& survey)
 }
 
 int write_view(const ViewOptions& options) {
-  const int up = up_axis(options);
+  const unsigned up = up_axis(options);
   ViewSurvey survey(up);
   std::string first_file;
   std::size_t particles = 0;

@@ -31,7 +31,8 @@ class Camera {
 
   reset() {
     this.target = [...this.whole_view.target];
-    this.height = this.whole_view.height; // half of what is seen at the target
+    // half of what is seen at the target; on a tall screen the width counts
+    this.height = this.whole_view.height * Math.max(1, innerHeight / innerWidth);
     const stand = this.up === "z" ? turn_about([1, 0, 0], -Math.PI / 2) : [1, 0, 0, 0];
     this.turn = this.flat ? [1, 0, 0, 0] : quaternion_product(
         quaternion_product(turn_about([1, 0, 0], 0.42), turn_about([0, 1, 0], -0.55)), stand);

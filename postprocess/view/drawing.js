@@ -3,7 +3,8 @@
 class Drawing {
   constructor(canvas) {
     this.canvas = canvas;
-    const gl = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true });
+    // no alpha: what is seen through walls must not be mixed with the page behind the canvas
+    const gl = canvas.getContext("webgl2", { alpha: false, antialias: true, preserveDrawingBuffer: true });
     if (!gl) throw new Error("This browser offers no WebGL2: open the page in a browser of 2022 or later.");
     this.gl = gl;
     this.bodies_program = this.program(body_vertex_shader, body_fragment_shader);

@@ -39,6 +39,7 @@ class Page {
       this.drawing.add_surface(await this.scene.mesh_triangles(k), [0.5, 0.56, 0.62, 0.3]);
     this.fill_panel();
     this.listen();
+    if (innerWidth <= 640) this.toggle_panel(); // on a phone the picture comes first
     this.set_theme(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
     this.set_colour(this.column);
     await this.set_frame(header.frames.length - 1);

@@ -14,6 +14,7 @@ import sys
 import numpy as np
 
 from _browser import ask
+from _png import pixels_of
 from _synthetic import frame_text, post
 
 COLUMNS = ("id type mass x y z vx vy vz omegax omegay omegaz quat1 quat2 quat3 quat4 "
@@ -227,14 +228,17 @@ def check_chains_and_walls(folder):
         shown.chains = false; shown.walls = true;
         page.draw_now();
         answer.mesh = page.pixel(...middle);
+        answer.place = middle;
         page.select(page.frame.body.findIndex((body) => id_of(page.scene.bodies, body) === 2));
         answer.lines = [...document.querySelectorAll("#picked tr")].map((row) => row.textContent);
-        """, folder, SIZE)
+        """, folder, SIZE, shot=folder / "shot.png")
     assert answer["complaints"] == [], answer["complaints"]
     assert answer["chain"][0] > 150 and answer["chain"][2] < 60, answer["chain"]
     assert answer["beside"] == [255, 255, 255], answer["beside"]
     assert abs(answer["width"] - 1e-3 / 1.98e-3) < 0.06, answer["width"]  # the largest force: half the radius to each side
     assert 150 < answer["mesh"][0] < 250, answer["mesh"]
+    shown = pixels_of(folder / "shot.png")[round(answer["place"][1]), round(answer["place"][0])]  # what people see
+    assert np.abs(shown.astype(int) - answer["mesh"]).max() <= 3, (shown, answer["mesh"])
     assert "with 15" in answer["lines"], answer["lines"]  # with particle 1: a force of 5
 
 
