@@ -83,7 +83,9 @@ run 1500
         self.assertGreaterEqual(len(files), 8)
         for file in files:
             text = file.read_text()
-            self.assertRegex(text, r"thermo_modify +.*lost (error|warn)", file.name)
+            # grains flow out of the silo's box, and are counted
+            noticed = "ignore" if file.name == "benchmark_silo.in" else "(error|warn)"
+            self.assertRegex(text, rf"thermo_modify +.*lost {noticed}", file.name)
             self.assertRegex(text, r"check/timestep/ellipsoid", file.name)
 
 
