@@ -70,8 +70,11 @@ class InsertionSpace : private Pointers {
   bool take(const ParticleToInsertEllipsoid& particle, const double* centre,
             const double* quaternion);
   bool may_fit(const ParticleToInsertEllipsoid& particle, const double* centre);
+  /// Of bodies since one found room; counts one more.
+  int refusals() { return ++refusals_; }
 
  private:
+  int refusals_ = 0;
   ellipsoid::OccupiedSpace space_;
   MultisphereParticles chains_;
   bool of_spheres_;
@@ -239,6 +242,7 @@ bool InsertionSpace::take(const ParticleToInsertEllipsoid& particle, const doubl
       !space_.is_free(body))
     return false;
   space_.add(body);
+  refusals_ = 0;
   return true;
 }
 
@@ -301,7 +305,10 @@ int try_orientations(ParticleToInsert* particle, double* place, double* velocity
                      double* quaternion, RegionNeighborList<interpolate_no>& near,
                      RanPark* random) {
   auto* body = dynamic_cast<ParticleToInsertEllipsoid*>(particle);
-  if (!present_space() || !body || body->has_orientation || !present_space()->may_fit(*body, place))
+  // while places are easy to find, orientations stay those of random sequential addition
+  constexpr int refusals_before = 100;
+  if (!present_space() || !body || body->has_orientation ||
+      present_space()->refusals() <= refusals_before || !present_space()->may_fit(*body, place))
     return 0;
   constexpr int most_orientations = 29; // and the one before: bodies of aspect 3.5 are as dense as
                                         // spheres then

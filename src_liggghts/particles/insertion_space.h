@@ -45,7 +45,7 @@ bool take_place(const LAMMPS_NS::ParticleToInsertEllipsoid& particle, const doub
 void random_place(LAMMPS_NS::Region* region, LAMMPS_NS::ParticleToInsert* particle, double* place);
 
 /// Other random orientations of a body that found no room at `place`, as long as the largest ball
-/// in the body would find some. Returns what particle->check_near_set_x_v_omega() does.
+/// in the body would find some, and only after 100 refusals on end. Returns what particle->check_near_set_x_v_omega() does.
 /// @param[out] quaternion the last one that was tried
 int try_orientations(LAMMPS_NS::ParticleToInsert* particle, double* place, double* velocity,
                      double* omega, double* quaternion,
