@@ -13,11 +13,11 @@ HEAD = "fix {0} all particletemplate/ellipsoid {1} semiaxes 2e-3 1.5e-3 1e-3 den
 MORE = COLUMNS + ["density", "radius", "inertiax", "inertiay", "inertiaz"]
 
 
-def inserted(templates, mix, count, columns=MORE, pair="smooth", more=""):
+def inserted(templates, mix, count, columns=MORE, pair="smooth", more="", style="discrete"):
     """Columns of the particles that fix insert/pack makes of `mix`."""
     setup = Setup(box=(0.0, 0.3) * 3, pair=f"gran/ellipsoid {LAW} surface {pair}")
     run(setup.without_particles() + templates + f"""
-fix mix all particledistribution/discrete 32452843 {mix}
+fix mix all particledistribution/{style} 32452843 {mix}
 region all block 0 0.3 0 0.3 0 0.3 units box
 fix fill all insert/pack seed 32452867 distributiontemplate mix insert_every once orientation random &
     overlapcheck no all_in no region all particles_in_region {count}
@@ -66,6 +66,18 @@ class Drawn(unittest.TestCase):
         np.testing.assert_allclose(b, c, rtol=1e-14)
         self.assertGreater((b / a).max() / (b / a).min(), 1.9)
         self.assertGreater(a.max() / a.min(), 3.8)
+
+    def test_shares_by_number_and_by_mass(self):
+        # 1 in 4 particles, or a quarter of the mass, is of a kind with 8 times the volume of the others
+        templates = ("fix large all particletemplate/ellipsoid 15485863 semiaxes 4e-3 3e-3 2e-3 density 1340\n"
+                     + HEAD.format("small", 15485867, ""))
+        for style, by_number in (("discrete/numberbased", 0.25), ("discrete/massbased", 0.25 / (0.25 + 0.75 * 8.0))):
+            c = inserted(templates, "2 large 0.25 small 0.75", 6000, style=style)
+            large = axes_of(c)[:, 0] > 3e-3
+            self.assertGreater(len(large), 5900)
+            error = 4.0 * math.sqrt(by_number * (1.0 - by_number) / len(large))
+            print(f"{style}: {large.mean():.4f} of the particles are large, expected {by_number:.4f}")
+            self.assertAlmostEqual(large.mean(), by_number, delta=error)
 
     def test_mass_fractions_of_a_mixture(self):
         # 30 % of the mass in particles of very unlike sizes, 70 % in others
