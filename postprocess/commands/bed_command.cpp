@@ -129,10 +129,8 @@ void add_bed_command(CLI::App& program, int& exit_code) {
       "the planes (the true one is smaller, it falls with the square of the planes' distance). "
       "Profiles: --profile height (layers) or radius (rings of a cylinder).\n"
       "--below-surface: the region ends at the free surface z_max(x, y) of the true outlines, "
-      "taken "
-      "at the middles of square columns 0.25 b wide (--columns) as for `heap`; V is then the "
-      "volume "
-      "between z0 and the lower one of surface and z1.");
+      "taken at the middles of square columns 0.25 b wide (--columns) as for `heap`; V is then the "
+      "volume between z0 and the lower one of surface and z1.");
   add_frame_options(*command, options->frames, FrameUse::table);
   add_up_option(*command, options->up);
   add_region_options(*command, *options);

@@ -150,9 +150,8 @@ void add_contacts_command(CLI::App& program, int& exit_code) {
       "Fabric tensor: <n n> over contact normals n (eigenvalues add up to 1; 1/3 each: isotropic "
       "in space). Without --local the contacts are recomputed from positions with the engine's "
       "kernel. With --local the files are dump local lists, the last frame is used, and columns "
-      "are named: "
-      "--normal-columns NX NY NZ, --force-columns FX FY FZ. Strong forces: above the mean force "
-      "<f>; P(f/<f>): probability density in bins 0.25 wide.");
+      "are named: --normal-columns NX NY NZ, --force-columns FX FY FZ. Strong forces: above the "
+      "mean force <f>; P(f/<f>): probability density in bins 0.25 wide.");
   add_frame_options(*command, options->frames, FrameUse::table);
   CLI::Option* local =
       command->add_flag("--local", options->is_local, "the files are contact lists (dump local)");

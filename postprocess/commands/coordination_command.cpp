@@ -37,7 +37,8 @@ std::vector<SpaceWall> walls_in_space(const CoordinationCommandOptions& options,
   std::vector<SpaceWall> walls = space_walls(options.space_walls);
   if (!options.has_run_walls)
     return walls;
-  const std::string log = options.log.empty() ? log_beside(chosen.frame.place.file) : options.log;
+  const std::string log =
+      options.log.empty() ? log_beside(chosen.frame.location.file) : options.log;
   if (log.empty())
     throw InputError("--run-walls: there is no log (log.*, *.log) beside the dump: give --log");
   for (SpaceWall& wall : walls_of_log(log))
@@ -169,6 +170,17 @@ Row coordination_row(const CoordinationCommandOptions& options, ContactLists& li
   return row;
 }
 
+/// Of packings in space.
+void add_wall_options(CLI::App& command, CoordinationCommandOptions& options) {
+  add_space_wall_options(command, options.space_walls);
+  auto* run_walls =
+      command.add_flag("--run-walls", options.has_run_walls,
+                       "walls of the run's log: planes, cylinders, and STL meshes that rest");
+  command.add_option("--log", options.log, "the run's log (default: that beside the dump)")
+      ->check(CLI::ExistingFile)
+      ->needs(run_walls);
+}
+
 } // namespace
 
 void add_coordination_command(CLI::App& program, int& exit_code) {
@@ -176,12 +188,12 @@ void add_coordination_command(CLI::App& program, int& exit_code) {
   CLI::App* command = program.add_subcommand("coordination", "coordination numbers and overlaps");
   command->footer(
       std::string(pile_definition) + "\n" + coordination_definition +
-      "\nParticles whose centres do not all lie in one plane are a packing in space: all of them "
-      "count, "
-      "contacts across periodic boundaries too, walls are those that are told, and rattlers have "
-      "fewer than 4 contacts.\nWith --contacts the contacts of the particles are those of the list "
-      "(walls are "
-      "looked up in the geometry); overlaps are known with --overlap-column only.");
+      "\n"
+      "Particles whose centres do not all lie in one plane are a packing in space: all of them "
+      "count, contacts across periodic boundaries too, walls are those that are told, and rattlers "
+      "have fewer than 4 contacts.\n"
+      "With --contacts the contacts of the particles are those of the list (walls are looked up in "
+      "the geometry); overlaps are known with --overlap-column only.");
   add_frame_options(*command, options->frames, FrameUse::table);
   add_plane_options(*command, options->plane);
   add_coordination_options(*command, *options);
@@ -191,13 +203,7 @@ void add_coordination_command(CLI::App& program, int& exit_code) {
       ->add_option("--overlap-column", options->contacts.columns.overlap,
                    "of the contact list: the overlap")
       ->needs(contacts);
-  add_space_wall_options(*command, options->space_walls);
-  auto* run_walls =
-      command->add_flag("--run-walls", options->has_run_walls,
-                        "walls of the run's log: planes, cylinders, and STL meshes that rest");
-  command->add_option("--log", options->log, "the run's log (default: that beside the dump)")
-      ->check(CLI::ExistingFile)
-      ->needs(run_walls);
+  add_wall_options(*command, *options);
   command->add_flag("--space", options->is_space,
                     "a packing in space, also where all centres lie in one plane");
   add_particle_values_option(*command, options->per_particle);

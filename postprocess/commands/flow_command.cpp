@@ -125,14 +125,14 @@ class FlowRun {
   }
   const std::string& name() const { return m_name; }
 
-  void take(const ChosenFrame& chosen, Table& steps, Table& passages) {
+  void advance(const ChosenFrame& chosen, Table& steps, Table& passages) {
     if (!m_clock.advances(chosen))
       return;
     const std::optional<double> density =
         m_options.density > 0.0 ? std::optional<double>(m_options.density) : std::nullopt;
     const PeriodicCell cell(chosen.set.box);
-    const auto step = m_flow.take(chosen.set, cell, density);
-    const auto entered = m_inlet ? m_inlet->take(chosen.set, cell, density) : std::nullopt;
+    const auto step = m_flow.advance(chosen.set, cell, density);
+    const auto entered = m_inlet ? m_inlet->advance(chosen.set, cell, density) : std::nullopt;
     const std::optional<double> before = m_time;
     m_time = time_of(chosen.frame, m_options.time_step);
     m_timestep = chosen.frame.timestep;
@@ -164,7 +164,7 @@ class FlowRun {
   }
 
   /// After the last frame: the rows of the whole run.
-  void finish(Table& table) const {
+  void append_totals(Table& table) const {
     if (m_profile)
       append_profile(table);
     else if (m_options.is_total)
@@ -238,9 +238,9 @@ class FlowRun {
             {"time_s", "time", "s", time},
             {"direction", "direction", "", std::int64_t(passage.is_forward ? 1 : -1)},
             {"mass_kg", "mass", "kg", passage.mass},
-            {"x_m", "x", "m", passage.place.x},
-            {"y_m", "y", "m", passage.place.y},
-            {"z_m", "z", "m", passage.place.z},
+            {"x_m", "x", "m", passage.position.x},
+            {"y_m", "y", "m", passage.position.y},
+            {"z_m", "z", "m", passage.position.z},
             {"velocity_x_m_per_s", "velocity x", "m/s", velocity.x},
             {"velocity_y_m_per_s", "velocity y", "m/s", velocity.y},
             {"velocity_z_m_per_s", "velocity z", "m/s", velocity.z},
@@ -278,14 +278,14 @@ int run(const FlowOptions& options) {
   std::unique_ptr<FlowRun> flow;
   const auto end_run = [&] {
     if (flow)
-      flow->finish(table);
+      flow->append_totals(table);
   };
   const int code = for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
     if (!flow || flow->name() != chosen.run) {
       end_run();
       flow = std::make_unique<FlowRun>(options, chosen.run);
     }
-    flow->take(chosen, table, passages);
+    flow->advance(chosen, table, passages);
   });
   end_run();
   write_table(options.frames, table);

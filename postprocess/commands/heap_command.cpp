@@ -82,10 +82,9 @@ void add_heap_command(CLI::App& program, int& exit_code) {
       "the true outlines at the middles of square columns 0.25 b wide (--columns). Axis: centroid "
       "of the volume under the surface. In each of --sectors equal sectors, rings as wide as the "
       "mean largest semi-axis give a radial profile of mean heights; H is the largest ring mean "
-      "over all "
-      "sectors; the least squares line goes from the outermost ring >= (1 - cut_top) H to the "
-      "outermost >= cut_bottom H. The angle is the mean of atan(-slope) over sectors, its standard "
-      "error the deviation over sectors / sqrt(sectors).\n"
+      "over all sectors; the least squares line goes from the outermost ring >= (1 - cut_top) H to "
+      "the outermost >= cut_bottom H. The angle is the mean of atan(-slope) over sectors, its "
+      "standard error the deviation over sectors / sqrt(sectors).\n"
       "Porosity: 1 - V_solid / V, V between floor and free surface, V_solid the union of all "
       "particles, from exact sections in --planes planes.");
   add_frame_options(*command, options->frames, FrameUse::table);

@@ -160,6 +160,33 @@ std::vector<Row> mixing_rows(const MixingCommandOptions& options, Tracer& tracer
   return rows;
 }
 
+void add_tracer_options(CLI::App& command, MixingCommandOptions& options) {
+  CLI::Option_group* tracer = command.add_option_group("what is mixed");
+  tracer->add_option("--type", options.type, "particles of this type against all others")
+      ->check(CLI::Range(1, 1000000));
+  tracer->add_flag("--size", options.by_size, "radius of the ball of a particle's volume");
+  tracer->add_flag("--aspect", options.by_aspect, "longest over shortest semi-axis");
+  tracer->add_option("--value", options.column, "a column of the dump");
+  tracer
+      ->add_option("--region", options.region,
+                   "x0 x1 y0 y1 z0 z1: particles that were there in the first frame")
+      ->expected(6);
+  tracer->require_option(1);
+}
+
+void add_cell_options(CLI::App& command, MixingCommandOptions& options) {
+  auto* cell = command.add_option(
+      "--cell", options.cell_sizes,
+      "size of the cubic cells (m), several: one row each (default: 3 mean diameters)");
+  cell->check(CLI::PositiveNumber);
+  command
+      .add_option("--scan", options.scan,
+                  "smallest and largest size of the cells (m) and the number of sizes, in equal "
+                  "ratios: one row each")
+      ->expected(3)
+      ->excludes(cell);
+}
+
 } // namespace
 
 void add_mixing_command(CLI::App& program, int& exit_code) {
@@ -168,37 +195,15 @@ void add_mixing_command(CLI::App& program, int& exit_code) {
       "mixing", "indices of mixing and segregation, with bounds and standard errors");
   command->footer(
       "q is 1 for the tracer and 0 for others, or a size. S^2: variance of the means of q in "
-      "cells, "
-      "weighted by their numbers of particles; S0^2: of q itself (segregated); SR^2 = S0^2 (C - 1) "
-      "/ "
-      "(N - 1) with C cells and N particles: its mean over all orders. Lacey (S0^2 - S^2) / (S0^2 "
-      "- "
-      "SR^2); intensity S^2 / S0^2; relative standard deviation S / mean; GMMI: mean position of q "
-      "over that of all from the lowest particle; neighbours: mean (q_i - q_k)^2 over that of a "
-      "random order.");
+      "cells, weighted by their numbers of particles; S0^2: of q itself (segregated); SR^2 = S0^2 "
+      "(C - 1) / (N - 1) with C cells and N particles: its mean over all orders. Lacey (S0^2 - "
+      "S^2) / (S0^2 - SR^2); intensity S^2 / S0^2; relative standard deviation S / mean; GMMI: "
+      "mean position of q over that of all from the lowest particle; neighbours: mean (q_i - "
+      "q_k)^2 over that of a random order.");
   add_frame_options(*command, options->frames, FrameUse::table);
   add_time_option(*command, options->time_step);
-  CLI::Option_group* tracer = command->add_option_group("what is mixed");
-  tracer->add_option("--type", options->type, "particles of this type against all others")
-      ->check(CLI::Range(1, 1000000));
-  tracer->add_flag("--size", options->by_size, "radius of the ball of a particle's volume");
-  tracer->add_flag("--aspect", options->by_aspect, "longest over shortest semi-axis");
-  tracer->add_option("--value", options->column, "a column of the dump");
-  tracer
-      ->add_option("--region", options->region,
-                   "x0 x1 y0 y1 z0 z1: particles that were there in the first frame")
-      ->expected(6);
-  tracer->require_option(1);
-  auto* cell = command->add_option(
-      "--cell", options->cell_sizes,
-      "size of the cubic cells (m), several: one row each (default: 3 mean diameters)");
-  cell->check(CLI::PositiveNumber);
-  command
-      ->add_option("--scan", options->scan,
-                   "smallest and largest size of the cells (m) and the number of sizes, in equal "
-                   "ratios: one row each")
-      ->expected(3)
-      ->excludes(cell);
+  add_tracer_options(*command, *options);
+  add_cell_options(*command, *options);
   command->add_flag("--by-volume", options->by_volume,
                     "particles count by their volumes, not all alike");
   command->add_option("--neighbours", options->mixing.neighbours, "nearest ones of each particle")

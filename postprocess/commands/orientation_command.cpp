@@ -116,15 +116,12 @@ void add_orientation_command(CLI::App& program, int& exit_code) {
       program.add_subcommand("orientation", "nematic order and angle rose of the long axes");
   command->footer(
       "n: along the longest semi-axis, wherever it is in the body; of discs (s1 / s2 < s2 / s3 "
-      "with "
-      "s1 >= s2 >= s3) along the shortest. Bodies of either kind have their own rows, types too; "
-      "spheres are left out and counted. S: largest eigenvalue of Q = <3/2 (n n - I/3)>, director "
-      "its eigenvector. Biaxial order: of the other two axes of triaxial bodies across the "
-      "director "
-      "(Allen 1990). S2 = |<exp(2 i theta)>|, theta the angle of n in --plane from its first axis; "
-      "the plane's "
-      "director is half the phase; flow angle: mean of theta in (-90, 90] deg. Rose: share of "
-      "particles per bin of theta from 0 to 180 deg.");
+      "with s1 >= s2 >= s3) along the shortest. Bodies of either kind have their own rows, types "
+      "too; spheres are left out and counted. S: largest eigenvalue of Q = <3/2 (n n - I/3)>, "
+      "director its eigenvector. Biaxial order: of the other two axes of triaxial bodies across "
+      "the director (Allen 1990). S2 = |<exp(2 i theta)>|, theta the angle of n in --plane from "
+      "its first axis; the plane's director is half the phase; flow angle: mean of theta in (-90, "
+      "90] deg. Rose: share of particles per bin of theta from 0 to 180 deg.");
   add_frame_options(*command, options->frames, FrameUse::table);
   add_time_option(*command, options->time_step);
   command->add_option("--bins", options->bins, "bins of the rose")

@@ -92,9 +92,9 @@ void add_pairs_command(CLI::App& program, int& exit_code) {
       "pairs", "pair distribution g(r) and g2(r), distribution of gaps, structure factor");
   command->footer(
       "g(r): pairs of centres over those of an ideal gas in the same region. g2(r): mean of P2(u_i "
-      ". "
-      "u_j), u along the longest semi-axis, of discs along the shortest. --gap: exact gaps between "
-      "surfaces, neighbours per particle and gap. --structure: S(k) = |sum of exp(i k r)|^2 / N.");
+      ". u_j), u along the longest semi-axis, of discs along the shortest. --gap: exact gaps "
+      "between surfaces, neighbours per particle and gap. --structure: S(k) = |sum of exp(i k "
+      "r)|^2 / N.");
   add_frame_options(*command, options->frames, FrameUse::table);
   add_time_option(*command, options->time_step);
   auto* farthest = command->add_option(

@@ -100,13 +100,11 @@ void add_plot_command(CLI::App& program, int& /*exit_code*/) {
       "curves and maps of any columns, and figures of the paper with its points beside ours");
   command->footer(
       "curve: the columns --y over the column --x of CSV files, one curve for each value of "
-      "--group. "
-      "map: rectangles about (--x, --y), coloured by --value. Figure 5 needs no files. 12, 13 and "
-      "15 take CSV files of `pile --csv` (with "
-      "--outline ellipse as well for 'MS ellipse'); 17 and 18 take CSV files with "
-      "the columns subspheres (empty: smooth, with surface = smooth) and "
-      "relative_cpu_time or potential_contacts_per_particle. Error bars and bands: "
-      "half range over runs. Open markers and dashed lines: values of the paper's text.");
+      "--group. map: rectangles about (--x, --y), coloured by --value. Figure 5 needs no files. "
+      "12, 13 and 15 take CSV files of `pile --csv` (with --outline ellipse as well for 'MS "
+      "ellipse'); 17 and 18 take CSV files with the columns subspheres (empty: smooth, with "
+      "surface = smooth) and relative_cpu_time or potential_contacts_per_particle. Error bars and "
+      "bands: half range over runs. Open markers and dashed lines: values of the paper's text.");
   command
       ->add_option("figure", options->what,
                    "curve, map, or a figure of the paper: 5, 12, 13, 15, 17 or 18")

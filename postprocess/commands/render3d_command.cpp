@@ -39,11 +39,11 @@ void add_surfaces(SpaceView& view, const RenderSpaceOptions& options, const Chos
                   UpAxis up) {
   if (!options.show_walls && options.surfaces.meshes.empty() && options.surfaces.log.empty())
     return;
-  const RunSurfaces surfaces = run_surfaces(options.surfaces, chosen.frame.place.file,
+  const RunSurfaces surfaces = run_surfaces(options.surfaces, chosen.frame.location.file,
                                             !options.show_walls && options.surfaces.log.empty());
   const bool is_turned = up == UpAxis::y;
   for (const PrimitivePlane& plane : surfaces.planes)
-    view.planes.push_back({is_turned ? (plane.axis + 1) % 3 : plane.axis, plane.place});
+    view.planes.push_back({is_turned ? (plane.axis + 1) % 3 : plane.axis, plane.position});
   for (const ShownMesh& mesh : surfaces.meshes)
     for (auto triangle : mesh.triangles) {
       for (Vector3& corner : triangle)

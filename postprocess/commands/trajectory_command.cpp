@@ -124,7 +124,7 @@ int list_collisions(const TrajectoryOptions& options) {
         options.contacts.files.empty()
             ? touching_pairs(chosen.set)
             : listed_pairs(lists.at(chosen.frame.timestep), options.contacts.columns, chosen.set);
-    for (const Collision& c : collisions->take(chosen.set, pairs, *time))
+    for (const Collision& c : collisions->advance(chosen.set, pairs, *time))
       table.rows.push_back(collision_row(name, c, has_overlaps));
   });
   end_run();
@@ -142,7 +142,7 @@ int run(const TrajectoryOptions& options) {
     FollowedRun& followed = runs.back();
     if (!followed.clock.advances(chosen))
       return;
-    followed.trajectories.take(chosen.set, PeriodicCell(chosen.set.box));
+    followed.trajectories.add(chosen.set, PeriodicCell(chosen.set.box));
     followed.times.push_back(time_of(chosen.frame, options.time_step));
     followed.steps.push_back(chosen.frame.timestep);
     if (!options.per_particle.empty())

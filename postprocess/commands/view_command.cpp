@@ -48,7 +48,9 @@ void add_walls(const ViewOptions& options, const std::string& first_file, ViewSe
   const RunSurfaces surfaces = run_surfaces(options.surfaces, first_file, options.no_walls);
   for (const PrimitivePlane& plane : surfaces.planes) {
     ViewWall wall;
-    (plane.axis == 0 ? wall.point.x : plane.axis == 1 ? wall.point.y : wall.point.z) = plane.place;
+    (plane.axis == 0   ? wall.point.x
+     : plane.axis == 1 ? wall.point.y
+                       : wall.point.z) = plane.position;
     (plane.axis == 0 ? wall.normal.x : plane.axis == 1 ? wall.normal.y : wall.normal.z) = 1.0;
     settings.walls.push_back(wall);
   }
@@ -126,7 +128,7 @@ int write_view(const ViewOptions& options) {
   std::size_t particles = 0;
   const int code = for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
     if (first_file.empty())
-      first_file = chosen.frame.place.file;
+      first_file = chosen.frame.location.file;
     survey.add(chosen.frame, chosen.set);
     for (const std::string& fault : chosen.frame.unreadable)
       if (!fault.empty())

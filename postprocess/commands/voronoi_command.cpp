@@ -98,10 +98,8 @@ void add_voronoi_command(CLI::App& program, int& exit_code) {
   command->footer(
       "The Set-Voronoi cell of a particle: the points nearer to its surface than to that of any "
       "other (Schaller et al. 2013), from the Voronoi cells of points on the surfaces. Equal "
-      "spheres: "
-      "ordinary cells. Anisotropy: smallest over largest eigenvalue of the integral of n n over "
-      "the "
-      "cell's surface. Means are over cells that do not end at the box.");
+      "spheres: ordinary cells. Anisotropy: smallest over largest eigenvalue of the integral of n "
+      "n over the cell's surface. Means are over cells that do not end at the box.");
   add_frame_options(*command, options->frames, FrameUse::table);
   add_time_option(*command, options->time_step);
   command

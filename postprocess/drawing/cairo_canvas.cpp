@@ -71,7 +71,8 @@ void CairoCanvas::polyline(const std::vector<PixelPoint>& points, bool is_closed
   paint(style);
 }
 
-void CairoCanvas::text(const PixelPoint& place, const std::string& words, const TextStyle& style) {
+void CairoCanvas::text(const PixelPoint& position, const std::string& words,
+                       const TextStyle& style) {
   cairo_save(m_cairo);
   cairo_select_font_face(m_cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
                          style.is_bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
@@ -91,7 +92,7 @@ void CairoCanvas::text(const PixelPoint& place, const std::string& words, const 
   const double share = style.anchor == Anchor::start    ? 0.0
                        : style.anchor == Anchor::middle ? 0.5
                                                         : 1.0;
-  cairo_translate(m_cairo, place.x, place.y);
+  cairo_translate(m_cairo, position.x, position.y);
   cairo_rotate(m_cairo, style.turn_degrees * pi / 180.0);
   set_colour(m_cairo, style.colour, 1.0);
   double begin = -share * width;

@@ -12,17 +12,17 @@ namespace ellipsoid::post {
 
 std::vector<TextPart> text_parts(const std::string& words) {
   std::vector<TextPart> parts;
-  std::size_t place = 0;
-  while (place < words.size()) {
-    const std::size_t mark = words.find("_{", place), end = words.find('}', mark);
+  std::size_t begin = 0;
+  while (begin < words.size()) {
+    const std::size_t mark = words.find("_{", begin), end = words.find('}', mark);
     if (mark == words.npos || end == words.npos) {
-      parts.push_back({words.substr(place), false});
+      parts.push_back({words.substr(begin), false});
       break;
     }
-    if (mark > place)
-      parts.push_back({words.substr(place, mark - place), false});
+    if (mark > begin)
+      parts.push_back({words.substr(begin, mark - begin), false});
     parts.push_back({words.substr(mark + 2, end - mark - 2), true});
-    place = end + 1;
+    begin = end + 1;
   }
   return parts;
 }

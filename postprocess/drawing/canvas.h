@@ -49,8 +49,9 @@ class Canvas {
                        const Style& style) = 0;
   virtual void polyline(const std::vector<PixelPoint>& points, bool is_closed,
                         const Style& style) = 0;
-  /// Text in UTF-8 on a baseline at `place`.
-  virtual void text(const PixelPoint& place, const std::string& words, const TextStyle& style) = 0;
+  /// Text in UTF-8 on a baseline at `position`.
+  virtual void text(const PixelPoint& position, const std::string& words,
+                    const TextStyle& style) = 0;
   /// A picture of pixels, one to one, its left top corner at `corner`.
   virtual void image(const PixelPoint& corner, const PixelImage& pixels) = 0;
   /// Restricts what follows to a rectangle, until `end_clip`.

@@ -174,7 +174,7 @@ void draw_legend(Canvas& canvas, const ChartFrame& f, const Chart& chart) {
   text.size = 14.0 * f.unit;
   text.colour = ink;
   std::size_t entry = 0;
-  const auto place = [&] {
+  const auto position = [&] {
     const double column = static_cast<double>(entry % 2), line = static_cast<double>(entry / 2);
     ++entry;
     return PixelPoint{f.left + column * 0.5 * f.width,
@@ -184,7 +184,7 @@ void draw_legend(Canvas& canvas, const ChartFrame& f, const Chart& chart) {
     canvas.text({p.x + 42.0 * f.unit, p.y + 5.0 * f.unit}, name, text);
   };
   for (const Series& series : chart.series) {
-    const PixelPoint p = place();
+    const PixelPoint p = position();
     Style line = stroke(series.colour, 2.0 * f.unit);
     if (series.is_dashed)
       line.dashes = {7.0 * f.unit, 5.0 * f.unit};
@@ -194,7 +194,7 @@ void draw_legend(Canvas& canvas, const ChartFrame& f, const Chart& chart) {
     name_at(p, series.name);
   }
   for (const Band& band : chart.bands) {
-    const PixelPoint p = place();
+    const PixelPoint p = position();
     Style line = stroke(band.colour, 2.0 * f.unit);
     if (band.is_dashed)
       line.dashes = {7.0 * f.unit, 5.0 * f.unit};

@@ -8,20 +8,20 @@
 namespace ellipsoid::post {
 
 Colour colour_of(double t) {
-  // viridis (van der Walt and Smith 2015) at nine equidistant places
-  static constexpr std::array<Colour, 9> places = {{{0.267, 0.005, 0.329},
-                                                    {0.279, 0.175, 0.483},
-                                                    {0.230, 0.322, 0.546},
-                                                    {0.173, 0.449, 0.558},
-                                                    {0.128, 0.567, 0.551},
-                                                    {0.158, 0.684, 0.502},
-                                                    {0.369, 0.789, 0.383},
-                                                    {0.678, 0.864, 0.190},
-                                                    {0.993, 0.906, 0.144}}};
-  const double place = std::clamp(t, 0.0, 1.0) * (places.size() - 1);
-  const std::size_t k = std::min(static_cast<std::size_t>(place), places.size() - 2);
-  const double share = place - static_cast<double>(k);
-  const Colour &low = places[k], &high = places[k + 1];
+  // viridis (van der Walt and Smith 2015) at nine equidistant values
+  static constexpr std::array<Colour, 9> colours = {{{0.267, 0.005, 0.329},
+                                                     {0.279, 0.175, 0.483},
+                                                     {0.230, 0.322, 0.546},
+                                                     {0.173, 0.449, 0.558},
+                                                     {0.128, 0.567, 0.551},
+                                                     {0.158, 0.684, 0.502},
+                                                     {0.369, 0.789, 0.383},
+                                                     {0.678, 0.864, 0.190},
+                                                     {0.993, 0.906, 0.144}}};
+  const double position = std::clamp(t, 0.0, 1.0) * (colours.size() - 1);
+  const std::size_t k = std::min(static_cast<std::size_t>(position), colours.size() - 2);
+  const double share = position - static_cast<double>(k);
+  const Colour &low = colours[k], &high = colours[k + 1];
   return {low.red + share * (high.red - low.red), low.green + share * (high.green - low.green),
           low.blue + share * (high.blue - low.blue)};
 }

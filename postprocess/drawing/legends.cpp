@@ -48,24 +48,24 @@ void draw_patches(Canvas& canvas, const PixelPoint& left, double width, double h
   }
 }
 
-/// Where numbers stand below the bar, as shares of its width.
-std::vector<std::pair<double, double>> labelled_places(const ParticleColours& colours) {
-  std::vector<std::pair<double, double>> places;
+/// Where numbers stand below the bar, as shares of its width, and the numbers.
+std::vector<std::pair<double, double>> labels_below(const ParticleColours& colours) {
+  std::vector<std::pair<double, double>> labels;
   const auto count = static_cast<double>(colours.kinds.size());
   for (std::size_t k = 0; k < colours.kinds.size(); ++k)
-    places.emplace_back((static_cast<double>(k) + 0.5) / count, colours.kinds[k]);
-  if (!places.empty())
-    return places;
+    labels.emplace_back((static_cast<double>(k) + 0.5) / count, colours.kinds[k]);
+  if (!labels.empty())
+    return labels;
   const double width = colours.high - colours.low;
   constexpr int wanted = 5;
   const auto ticks = colours.is_cyclic ? std::vector<double>{0.0, 45.0, 90.0, 135.0, 180.0}
                                        : round_ticks(colours.low, colours.high, wanted);
   for (const double value : ticks)
     if (width > 0.0 && value >= colours.low && value <= colours.high)
-      places.emplace_back((value - colours.low) / width, value);
-  if (places.size() < 2)
-    places = {{0.0, colours.low}, {1.0, colours.high}};
-  return places;
+      labels.emplace_back((value - colours.low) / width, value);
+  if (labels.size() < 2)
+    labels = {{0.0, colours.low}, {1.0, colours.high}};
+  return labels;
 }
 
 } // namespace
@@ -81,7 +81,7 @@ void draw_colour_bar(Canvas& canvas, const PixelPoint& corner, const ParticleCol
   text.size = 20.0 * unit;
   text.anchor = Anchor::middle;
   const double foot = corner.y + height;
-  for (const auto& [share, value] : labelled_places(colours)) {
+  for (const auto& [share, value] : labels_below(colours)) {
     const double x = left + share * width;
     if (colours.kinds.empty())
       canvas.line({x, foot}, {x, foot + 6.0 * unit}, tick);

@@ -45,18 +45,18 @@ std::vector<double> kinds_of(const std::vector<double>& values) {
 
 /// The value below which a share of all lies: strays do not stretch a scale.
 double percentile(std::vector<double> values, double share) {
-  const auto place =
+  const auto rank =
       static_cast<std::ptrdiff_t>(std::lround(share * static_cast<double>(values.size() - 1)));
-  std::nth_element(values.begin(), values.begin() + place, values.end());
-  return values[static_cast<std::size_t>(place)];
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  return values[static_cast<std::size_t>(rank)];
 }
 
 } // namespace
 
 Colour scale_colour(const ParticleColours& scale, double value) {
   if (!scale.kinds.empty()) {
-    const auto place = std::lower_bound(scale.kinds.begin(), scale.kinds.end(), value);
-    return kind_colour(static_cast<std::size_t>(place - scale.kinds.begin()));
+    const auto rank = std::lower_bound(scale.kinds.begin(), scale.kinds.end(), value);
+    return kind_colour(static_cast<std::size_t>(rank - scale.kinds.begin()));
   }
   const double width = scale.high - scale.low;
   const double share = width > 0.0 ? (value - scale.low) / width : 0.5;

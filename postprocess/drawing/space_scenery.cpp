@@ -14,15 +14,15 @@ namespace {
 std::vector<Vector3> rectangle_of(const PrimitivePlane& plane, const Box& shown) {
   constexpr double near = 0.25; // of the shown length
   const double length = shown.upper[plane.axis] - shown.lower[plane.axis];
-  if (plane.place < shown.lower[plane.axis] - near * length ||
-      plane.place > shown.upper[plane.axis] + near * length)
+  if (plane.position < shown.lower[plane.axis] - near * length ||
+      plane.position > shown.upper[plane.axis] + near * length)
     return {};
   std::vector<Vector3> corners;
   const unsigned u = (plane.axis + 1) % 3, v = (plane.axis + 2) % 3;
   for (const auto& [at_u, at_v] : {std::pair(false, false), std::pair(true, false),
                                    std::pair(true, true), std::pair(false, true)}) {
     double corner[3];
-    corner[plane.axis] = plane.place;
+    corner[plane.axis] = plane.position;
     corner[u] = at_u ? shown.upper[u] : shown.lower[u];
     corner[v] = at_v ? shown.upper[v] : shown.lower[v];
     corners.push_back({corner[0], corner[1], corner[2]});

@@ -2,6 +2,7 @@
 #include "svg_canvas.h"
 
 #include "base64.h"
+#include "html.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -30,21 +31,6 @@ std::string attributes(const Style& style) {
     for (const double dash : style.dashes)
       text += fmt::format("{:.4g} ", dash);
     text.back() = '"';
-  }
-  return text;
-}
-
-std::string escaped(const std::string& words) {
-  std::string text;
-  for (const char letter : words) {
-    if (letter == '&')
-      text += "&amp;";
-    else if (letter == '<')
-      text += "&lt;";
-    else if (letter == '>')
-      text += "&gt;";
-    else
-      text += letter;
   }
   return text;
 }
@@ -79,29 +65,29 @@ void SvgCanvas::polyline(const std::vector<PixelPoint>& points, bool is_closed,
   m_text += fmt::format("\"{} stroke-linejoin=\"round\"/>\n", attributes(style));
 }
 
-void SvgCanvas::text(const PixelPoint& place, const std::string& words, const TextStyle& style) {
+void SvgCanvas::text(const PixelPoint& position, const std::string& words, const TextStyle& style) {
   const char* anchor = style.anchor == Anchor::start    ? "start"
                        : style.anchor == Anchor::middle ? "middle"
                                                         : "end";
   std::string turn;
   if (style.turn_degrees != 0.0)
-    turn = fmt::format(" transform=\"rotate({:.2f} {:.3f} {:.3f})\"", style.turn_degrees, place.x,
-                       place.y);
+    turn = fmt::format(" transform=\"rotate({:.2f} {:.3f} {:.3f})\"", style.turn_degrees,
+                       position.x, position.y);
   std::string spans;
   bool was_subscript = false;
   for (const TextPart& part : text_parts(words)) {
     const double step = part.is_subscript ? subscript_depth : -subscript_depth;
     const double size = part.is_subscript ? subscript_size * style.size : style.size;
     spans += part.is_subscript == was_subscript
-                 ? escaped(part.words)
+                 ? html_safe(part.words)
                  : fmt::format("<tspan dy=\"{:.3f}\" font-size=\"{:.4g}\">{}</tspan>",
-                               step * style.size, size, escaped(part.words));
+                               step * style.size, size, html_safe(part.words));
     was_subscript = part.is_subscript;
   }
   m_text += fmt::format(
       "<text x=\"{:.3f}\" y=\"{:.3f}\" font-size=\"{:.4g}\" text-anchor=\"{}\" fill=\"{}\"{}{}>{}"
       "</text>\n",
-      place.x, place.y, style.size, anchor, hex(style.colour),
+      position.x, position.y, style.size, anchor, hex(style.colour),
       style.is_bold ? " font-weight=\"bold\"" : "", turn, spans);
 }
 

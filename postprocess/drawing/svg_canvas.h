@@ -12,7 +12,7 @@ class SvgCanvas : public Canvas {
   void ellipse(const PixelPoint& centre, double a, double b, double turn_degrees,
                const Style& style) override;
   void polyline(const std::vector<PixelPoint>& points, bool is_closed, const Style& style) override;
-  void text(const PixelPoint& place, const std::string& words, const TextStyle& style) override;
+  void text(const PixelPoint& position, const std::string& words, const TextStyle& style) override;
   void image(const PixelPoint& corner, const PixelImage& pixels) override;
   void begin_clip(const PixelPoint& corner, double width, double height) override;
   void end_clip() override;

@@ -35,11 +35,11 @@ class CellGrid {
   /// into a row without branches, which no processor could predict.
   template <class Visitor> void for_pairs(const Visitor& visit) {
     constexpr std::size_t own = 4, above_in_z = 5, above_in_x = 6, above_in_x_flat = 7;
-    for (std::size_t place = 0; place < m_placed.size(); ++place) {
-      const Placed& ball = m_placed[place];
+    for (std::size_t n = 0; n < m_placed.size(); ++n) {
+      const Placed& ball = m_placed[n];
       const std::size_t home = m_cell_of_ball[ball.index];
       // half of the neighbours: those behind the ball in its own column, and the columns behind
-      std::size_t found = scan(ball, {place + 1, column(home, own).second}, 0);
+      std::size_t found = scan(ball, {n + 1, column(home, own).second}, 0);
       if (m_is_flat) {
         found = scan(ball, column(home, above_in_x_flat), found);
       } else {
@@ -69,12 +69,12 @@ class CellGrid {
   static std::uint64_t column_shift(std::size_t column) {
     return ((column / 3 - 1) << x_bit) + ((column % 3 - 1) << z_bit);
   }
-  /// Places of the balls of a column: from first to second, without it.
-  using Places = std::pair<std::size_t, std::size_t>;
-  using Columns = std::array<Places, column_count>;
+  /// Range of the balls of a column: from first to second, without it.
+  using Range = std::pair<std::size_t, std::size_t>;
+  using Columns = std::array<Range, column_count>;
 
   /// Column k of the neighbours of a cell: looked up where the cells are numbered.
-  Places column(std::size_t home, std::size_t k) const {
+  Range column(std::size_t home, std::size_t k) const {
     if (m_starts.empty())
       return m_columns[home][k];
     const std::size_t middle = home + (k / 3) * m_step_x + (k % 3) * m_step_z;
@@ -133,16 +133,16 @@ class CellGrid {
     std::size_t index;
   };
 
-  /// Adds the balls in a run of places that overlap one to those found.
+  /// Adds the balls in a range that overlap one to those found.
   /// @return number of those found
-  std::size_t scan(const Placed& ball, const Places& places, std::size_t found) {
-    const auto [begin, end] = places;
+  std::size_t scan(const Placed& ball, const Range& range, std::size_t found) {
+    const auto [begin, end] = range;
     if (m_found.size() < found + (end - begin) + 1)
       m_found.resize(2 * (found + (end - begin) + 1));
     const Vector3 centre = ball.centre;
     const double radius = ball.radius;
-    for (std::size_t place = begin; place < end; ++place) {
-      const Placed& other = m_placed[place];
+    for (std::size_t k = begin; k < end; ++k) {
+      const Placed& other = m_placed[k];
       const Vector3 d = other.centre - centre;
       const double reach = radius + other.radius;
       m_found[found] = other.index;
@@ -152,7 +152,7 @@ class CellGrid {
   }
 
   /// Fills for each cell where the balls of its columns are. Keys only grow from cell to cell, so
-  /// each column's place does.
+  /// each column's range does.
   void find_neighbour_columns() {
     m_cell_of_ball.resize(m_balls.size());
     m_placed.reserve(m_balls.size());
@@ -171,8 +171,8 @@ class CellGrid {
   }
 
   /// To the balls of the cell with this key and of its two neighbours along y.
-  void advance(Places& places, std::uint64_t middle) const {
-    auto& [begin, end] = places;
+  void advance(Range& range, std::uint64_t middle) const {
+    auto& [begin, end] = range;
     while (begin < m_balls.size() && m_balls[begin].cell_key < middle - 1)
       ++begin;
     end = std::max(begin, end);

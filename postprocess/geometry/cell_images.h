@@ -21,7 +21,7 @@ std::vector<CellImage> cell_images(const std::vector<Vector3>& centres,
                                    const std::vector<double>& radii, const PeriodicCell& cell);
 
 /// Whether a pair of images is to be counted: one across a boundary is found from both sides.
-/// @param[in] p, q their places in the list, p < q; `count` balls
+/// @param[in] p, q their indices in the list, p < q; `count` balls
 bool counts_as_pair(const std::vector<CellImage>& images, std::size_t p, std::size_t q,
                     std::size_t count);
 

@@ -45,8 +45,8 @@ void check_edges(const std::vector<Triangle3>& triangles, const std::string& nam
   const auto& [x, y, z] = first->first.first;
   throw InputError(fmt::format(
       "{}: the surface is not closed: {} of {} edges do not belong to just two triangles turned "
-      "the "
-      "same way, one of them at ({:g}, {:g}, {:g}); mend the mesh (fill holes, join equal corners)",
+      "the same way, one of them at ({:g}, {:g}, {:g}); mend the mesh (fill holes, join equal "
+      "corners)",
       name, std::count_if(edges.begin(), edges.end(), bad), edges.size(), x, y, z));
 }
 
@@ -174,7 +174,7 @@ void TriangleTree::build(std::size_t begin, std::size_t end) {
   for (std::size_t k = begin; k < end; ++k)
     for (const Vector3& p : m_triangles[k])
       widen(node.lower, node.upper, p);
-  const std::size_t place = m_nodes.size();
+  const std::size_t index = m_nodes.size();
   m_nodes.push_back(node);
   if (end - begin <= leaf_size)
     return;
@@ -190,13 +190,13 @@ void TriangleTree::build(std::size_t begin, std::size_t end) {
       m_triangles.begin() + static_cast<std::ptrdiff_t>(end),
       [&](const Triangle3& s, const Triangle3& t) { return middle_of(s) < middle_of(t); });
   build(begin, begin + half);
-  m_nodes[place].right = m_nodes.size();
+  m_nodes[index].right = m_nodes.size();
   build(begin + half, end);
 }
 
-void TriangleTree::look(std::size_t place, const Vector3& point, double& square,
-                        Vector3& nearest) const {
-  const Node& node = m_nodes[place];
+void TriangleTree::search(std::size_t index, const Vector3& point, double& square,
+                          Vector3& nearest) const {
+  const Node& node = m_nodes[index];
   if (node.right == 0) {
     for (std::size_t k = node.begin; k < node.end; ++k) {
       const Vector3 q = nearest_on_triangle(point, m_triangles[k]);
@@ -208,20 +208,20 @@ void TriangleTree::look(std::size_t place, const Vector3& point, double& square,
     }
     return;
   }
-  const Node &left = m_nodes[place + 1], &right = m_nodes[node.right];
+  const Node &left = m_nodes[index + 1], &right = m_nodes[node.right];
   const double to_left = squared_distance(point, left.lower, left.upper),
                to_right = squared_distance(point, right.lower, right.upper);
   const bool left_first = to_left <= to_right;
   if ((left_first ? to_left : to_right) < square)
-    look(left_first ? place + 1 : node.right, point, square, nearest);
+    search(left_first ? index + 1 : node.right, point, square, nearest);
   if ((left_first ? to_right : to_left) < square)
-    look(left_first ? node.right : place + 1, point, square, nearest);
+    search(left_first ? node.right : index + 1, point, square, nearest);
 }
 
 Vector3 TriangleTree::nearest(const Vector3& point) const {
   double square = infinity;
   Vector3 found;
-  look(0, point, square, found);
+  search(0, point, square, found);
   return found;
 }
 

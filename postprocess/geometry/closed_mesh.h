@@ -30,7 +30,7 @@ MeshMeasures measure_mesh(const std::vector<Triangle3>& triangles);
 
 /// A point of a surface with its outer normal.
 struct MeshPoint {
-  Vector3 place, normal;
+  Vector3 position, normal;
 };
 
 /// Points spread by area, the same for the same mesh; each stands for the same area.
@@ -51,7 +51,7 @@ class TriangleTree {
     std::size_t right = 0;          ///< the left child is the next node; 0: a leaf
   };
   void build(std::size_t begin, std::size_t end);
-  void look(std::size_t node, const Vector3& point, double& square, Vector3& nearest) const;
+  void search(std::size_t node, const Vector3& point, double& square, Vector3& nearest) const;
 
   std::vector<Triangle3> m_triangles;
   std::vector<Node> m_nodes;

@@ -3,7 +3,7 @@
 
 #include "disjoint_sets.h"
 #include "ellipsoid/contact_batch.h"
-#include "first_look.h"
+#include "quick_test.h"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ struct SearchBodies {
   Vector3 distance(const NearPairs::Pair& pair, const Vector3& shift) const {
     return centres[pair.second] + shift - centres[pair.first];
   }
-  /// Whether a look at the centres tells that two ellipsoids touch.
+  /// Whether the centres alone tell that two ellipsoids touch.
   bool surely_touch(const NearPairs::Pair& pair, const Vector3& shift) const {
     const Vector3 d = distance(pair, shift);
     const double reach = inner_radii[pair.first] + inner_radii[pair.second];
@@ -33,8 +33,8 @@ struct SearchBodies {
   bool are_smooth(const NearPairs::Pair& pair) const {
     return is_smooth[pair.first] && is_smooth[pair.second];
   }
-  void add_to(FirstLookBatch& looks, const NearPairs::Pair& pair, const Vector3& shift) const {
-    looks.add(smooth[pair.first], smooth[pair.second], distance(pair, shift));
+  void add_to(QuickTestBatch& tests, const NearPairs::Pair& pair, const Vector3& shift) const {
+    tests.add(smooth[pair.first], smooth[pair.second], distance(pair, shift));
   }
 };
 
@@ -65,12 +65,12 @@ bool spheres_touch(const Sphere& s, const Sphere& t, double gap) {
 }
 
 bool ellipsoids_touch(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& distance) {
-  constexpr int most_looks = 4; // the next step is the search itself
-  FirstLook look;
-  for (int k = 0; k < most_looks; ++k) {
-    look = first_look(i.a_matrix, j.a_matrix, distance, look.next_lambda);
-    if (look.are_apart || look.touch)
-      return !look.are_apart;
+  constexpr int most_tests = 4; // the next step is the search itself
+  QuickTest result;
+  for (int k = 0; k < most_tests; ++k) {
+    result = quick_test(i.a_matrix, j.a_matrix, distance, result.next_lambda);
+    if (result.are_apart || result.touch)
+      return !result.are_apart;
   }
   const ContactGeometry found = find_contact(i, j, distance);
   return found.status != ContactStatus::separated && found.overlap >= 0.0;
@@ -120,10 +120,10 @@ class PairFinder {
   /// @param[in] shift of the second particle
   void find(const NearPairs::Pair& pair, const Vector3& shift) {
     if (m_bodies.are_smooth(pair)) {
-      m_looked_at[static_cast<std::size_t>(m_looks.size())] = pair;
-      m_bodies.add_to(m_looks, pair, shift);
-      if (m_looks.full())
-        look_at_waiting();
+      m_tested[static_cast<std::size_t>(m_tests.size())] = pair;
+      m_bodies.add_to(m_tests, pair, shift);
+      if (m_tests.full())
+        test_waiting();
       return;
     }
     search_waiting();
@@ -141,7 +141,7 @@ class PairFinder {
 
   /// To be called after the last pair.
   void search_waiting() {
-    look_at_waiting();
+    test_waiting();
     search_touching();
   }
 
@@ -160,18 +160,18 @@ class PairFinder {
   }
 
   /// Takes the pairs that are not apart to the search.
-  void look_at_waiting() {
-    m_looks.solve();
-    for (int k = 0; k < m_looks.size(); ++k) {
-      if (m_looks.are_apart(k))
+  void test_waiting() {
+    m_tests.solve();
+    for (int k = 0; k < m_tests.size(); ++k) {
+      if (m_tests.are_apart(k))
         continue;
-      const auto [i, j] = m_looked_at[static_cast<std::size_t>(k)];
-      m_waiting[static_cast<std::size_t>(m_batch.size())] = {{i, j}, m_looks.distance(k)};
-      m_batch.add(m_bodies.smooth[i], m_bodies.smooth[j], m_looks.distance(k), m_looks.normal(k));
+      const auto [i, j] = m_tested[static_cast<std::size_t>(k)];
+      m_waiting[static_cast<std::size_t>(m_batch.size())] = {{i, j}, m_tests.distance(k)};
+      m_batch.add(m_bodies.smooth[i], m_bodies.smooth[j], m_tests.distance(k), m_tests.normal(k));
       if (m_batch.full())
         search_touching();
     }
-    m_looks.clear();
+    m_tests.clear();
   }
 
   void search_touching() {
@@ -213,7 +213,7 @@ class PairFinder {
       const Sphere& s = m_set.spheres[k];
       const Vector3 distance = s.centre + shift_chain - centre;
       const EllipsoidShape ball = enlarged_ball(s, m_gap);
-      if (!first_look(m_bodies.smooth[smooth].a_matrix, ball.a_matrix, distance, 0.5).are_apart)
+      if (!quick_test(m_bodies.smooth[smooth].a_matrix, ball.a_matrix, distance, 0.5).are_apart)
         add_contact(find_contact(m_bodies.smooth[smooth], ball, distance), centre, sign);
     }
   }
@@ -239,8 +239,8 @@ class PairFinder {
   const SearchBodies& m_bodies;
   double m_gap;
   ContactNetwork& m_network;
-  FirstLookBatch m_looks;
-  std::array<NearPairs::Pair, FirstLookBatch::capacity> m_looked_at;
+  QuickTestBatch m_tests;
+  std::array<NearPairs::Pair, QuickTestBatch::capacity> m_tested;
   ContactBatch m_batch;
   struct Waiting {
     NearPairs::Pair pair;
@@ -272,7 +272,7 @@ ContactNetwork find_contacts(const ParticleSet& set, double gap, const NearPairs
 
 namespace {
 
-/// Joins particles that touch. Pairs of ellipsoids wait for their first looks until there are
+/// Joins particles that touch. Pairs of ellipsoids wait for their quick tests until there are
 /// enough of them.
 class ClusterFinder {
  public:
@@ -292,10 +292,10 @@ class ClusterFinder {
       join(pair);
       return;
     }
-    m_waiting[static_cast<std::size_t>(m_looks.size())] = {pair, shift};
-    m_bodies.add_to(m_looks, pair, shift);
-    if (m_looks.full())
-      look_at_waiting();
+    m_waiting[static_cast<std::size_t>(m_tests.size())] = {pair, shift};
+    m_bodies.add_to(m_tests, pair, shift);
+    if (m_tests.full())
+      test_waiting();
   }
 
   /// A pair that touches.
@@ -303,7 +303,7 @@ class ClusterFinder {
 
   /// To be called after the last pair. Clusters by the smallest index in them.
   std::vector<std::size_t> clusters() {
-    look_at_waiting();
+    test_waiting();
     std::vector<std::size_t> roots(m_set.particles.size());
     for (std::size_t i = 0; i < roots.size(); ++i)
       roots[i] = m_clusters.root(i);
@@ -318,30 +318,30 @@ class ClusterFinder {
     if (particles_touch(m_set, m_bodies, m_gap, pair, shift))
       join(pair);
   }
-  void look_at_waiting() {
-    m_looks.solve();
-    for (int k = 0; k < m_looks.size(); ++k) {
+  void test_waiting() {
+    m_tests.solve();
+    for (int k = 0; k < m_tests.size(); ++k) {
       const auto& [pair, shift] = m_waiting[static_cast<std::size_t>(k)];
-      if (m_looks.are_apart(k))
+      if (m_tests.are_apart(k))
         continue;
-      if (m_looks.touch(k))
+      if (m_tests.touch(k))
         join(pair);
       else if (!are_joined(pair))
         search(pair, shift);
     }
-    m_looks.clear();
+    m_tests.clear();
   }
 
   const ParticleSet& m_set;
   SearchBodies m_bodies;
   double m_gap;
   DisjointSets m_clusters;
-  FirstLookBatch m_looks;
+  QuickTestBatch m_tests;
   struct Waiting {
     NearPairs::Pair pair;
     Vector3 shift;
   };
-  std::array<Waiting, FirstLookBatch::capacity> m_waiting;
+  std::array<Waiting, QuickTestBatch::capacity> m_waiting;
 };
 
 } // namespace

@@ -120,11 +120,11 @@ class UpperEnvelope::CrossingPoints {
     m_waiting[static_cast<std::size_t>(m_batch.size())] = {i, j};
     m_batch.add(m_arcs[i], m_arcs[j]);
     if (m_batch.full())
-      look_at_waiting();
+      process_waiting();
   }
 
   /// To be called after the last pair.
-  void look_at_waiting() {
+  void process_waiting() {
     m_batch.solve();
     for (int k = 0; k < m_batch.size(); ++k) {
       const auto [i, j] = m_waiting[static_cast<std::size_t>(k)];
@@ -160,7 +160,7 @@ std::vector<double> UpperEnvelope::breakpoints() const {
   CellGrid grid(centres, radii);
   CrossingPoints points(m_arcs, result);
   grid.for_pairs([&](std::size_t i, std::size_t j) { points.find(j, i); });
-  points.look_at_waiting();
+  points.process_waiting();
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;

@@ -58,19 +58,19 @@ inline Direction lowest_eighth(const Level& f) {
   constexpr double r = 0.70710678118654752;
   Direction best{1.0, 0.0};
   double lowest = f.c1 + f.c2;
-  const auto look = [&](double value, double cosine, double sine) {
+  const auto consider = [&](double value, double cosine, double sine) {
     const bool is_lower = value < lowest;
     best.cosine = is_lower ? cosine : best.cosine;
     best.sine = is_lower ? sine : best.sine;
     lowest = is_lower ? value : lowest;
   };
-  look(r * (f.c1 + f.s1) + f.s2, r, r);
-  look(f.s1 - f.c2, 0.0, 1.0);
-  look(r * (f.s1 - f.c1) - f.s2, -r, r);
-  look(f.c2 - f.c1, -1.0, 0.0);
-  look(f.s2 - r * (f.c1 + f.s1), -r, -r);
-  look(-f.s1 - f.c2, 0.0, -1.0);
-  look(r * (f.c1 - f.s1) - f.s2, r, -r);
+  consider(r * (f.c1 + f.s1) + f.s2, r, r);
+  consider(f.s1 - f.c2, 0.0, 1.0);
+  consider(r * (f.s1 - f.c1) - f.s2, -r, r);
+  consider(f.c2 - f.c1, -1.0, 0.0);
+  consider(f.s2 - r * (f.c1 + f.s1), -r, -r);
+  consider(-f.s1 - f.c2, 0.0, -1.0);
+  consider(r * (f.c1 - f.s1) - f.s2, r, -r);
   return best;
 }
 
@@ -170,7 +170,7 @@ inline FoundLens lens_about(const Level& f, const Direction& m, double size, dou
   return {begin.at, end.at, is_proved};
 }
 
-inline void look_at_pair(Columns& columns, int k) {
+inline void measure_pair(Columns& columns, int k) {
   using C = Columns;
   const auto put = [&columns, k](int column, double value) { columns.out[column][k] = value; };
   const auto put_end = [&put](int column, const Direction& d) {
@@ -198,16 +198,16 @@ inline void look_at_pair(Columns& columns, int k) {
   put_end(C::end_j, seen.at(lens.begin));
 }
 
-inline void look_loop(Columns& columns, int size) {
+inline void measure_loop(Columns& columns, int size) {
 #pragma GCC ivdep
   for (int k = 0; k < size; ++k)
-    look_at_pair(columns, k);
+    measure_pair(columns, k);
 }
 
 } // namespace
 
 void LensBatch::solve() {
-  WidestVersion<look_loop>::run(m_columns, filled_up(m_columns.in, size()));
+  WidestVersion<measure_loop>::run(m_columns, filled_up(m_columns.in, size()));
 }
 
 } // namespace ellipsoid::post

@@ -26,7 +26,7 @@ namespace {
 template <class AnyPair>
 std::vector<AnyPair> ordered(const std::vector<AnyPair>& pairs, std::size_t AnyPair::*member,
                              std::size_t count) {
-  std::vector<std::size_t> next(count + 1, 0); // place for the next pair of each particle
+  std::vector<std::size_t> next(count + 1, 0); // index of the next pair of each particle
   for (const AnyPair& pair : pairs)
     ++next[pair.*member + 1];
   std::partial_sum(next.begin(), next.end(), next.begin());

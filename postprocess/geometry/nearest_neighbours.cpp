@@ -77,9 +77,9 @@ class Finder {
     return dot(d, d);
   }
 
-  /// Keeps the nearest ones of those known and those near `place`, all but the point itself.
-  void add_near(std::vector<Found>& found, const Vector3& place, std::size_t itself) {
-    const double query[3] = {place.x, place.y, place.z};
+  /// Keeps the nearest ones of those known and those near `point`, all but the point itself.
+  void add_near(std::vector<Found>& found, const Vector3& point, std::size_t itself) {
+    const double query[3] = {point.x, point.y, point.z};
     const std::size_t count =
         m_tree.knnSearch(query, m_count + 1, m_indices.data(), m_squares.data());
     for (std::size_t k = 0; k < count; ++k)

@@ -7,7 +7,7 @@
 namespace ellipsoid::post {
 namespace {
 
-std::size_t place(const ColumnGrid& grid, int i, int j) {
+std::size_t index_of(const ColumnGrid& grid, int i, int j) {
   return static_cast<std::size_t>(i) +
          static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(j);
 }
@@ -67,7 +67,7 @@ void add_crossings(const ColumnGrid& grid, const std::array<Vector3, 3>& triangl
       const double y = grid.y(j);
       const double u = ((x - a.x) * (c.y - a.y) - (c.x - a.x) * (y - a.y)) / area,
                    v = ((b.x - a.x) * (y - a.y) - (x - a.x) * (b.y - a.y)) / area;
-      crossings[place(grid, i, j)].push_back(a.z + u * (b.z - a.z) + v * (c.z - a.z));
+      crossings[index_of(grid, i, j)].push_back(a.z + u * (b.z - a.z) + v * (c.z - a.z));
     }
   }
 }
@@ -96,7 +96,7 @@ SolidColumns ellipsoid_columns(const ColumnGrid& grid, const Vector3& semiaxes) 
       const double u = grid.x(i) / semiaxes.x, v = grid.y(j) / semiaxes.y;
       const double square = 1.0 - u * u - v * v;
       if (square > 0.0)
-        columns[place(grid, i, j)] = {
+        columns[index_of(grid, i, j)] = {
             {-semiaxes.z * std::sqrt(square), semiaxes.z * std::sqrt(square)}};
     }
   return columns;
@@ -114,7 +114,8 @@ SolidColumns sphere_columns(const ColumnGrid& grid, const SphereSet& set) {
         const double u = grid.x(i) - c.x, v = grid.y(j) - c.y;
         const double square = r * r - u * u - v * v;
         if (square > 0.0)
-          columns[place(grid, i, j)].push_back({c.z - std::sqrt(square), c.z + std::sqrt(square)});
+          columns[index_of(grid, i, j)].push_back(
+              {c.z - std::sqrt(square), c.z + std::sqrt(square)});
       }
   }
   for (ColumnParts& parts : columns)

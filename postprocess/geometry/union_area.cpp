@@ -199,12 +199,12 @@ class HiddenArcs {
       m_waiting[static_cast<std::size_t>(m_batch.size())] = {i, j};
       m_batch.add(m_outlines[i], m_outlines[j]);
       if (m_batch.full())
-        look_at_waiting();
+        process_waiting();
     }
-    look_at_waiting();
+    process_waiting();
   }
 
-  void look_at_waiting() {
+  void process_waiting() {
     std::vector<ArcInterval> of_i, of_j;
     m_batch.solve();
     for (int k = 0; k < m_batch.size(); ++k) {

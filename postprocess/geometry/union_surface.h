@@ -11,7 +11,7 @@ namespace ellipsoid::post {
 
 /// A point of a surface and the area that it stands for.
 struct SurfacePoint {
-  Vector3 place;
+  Vector3 position;
   double area = 0.0; ///< (length^2)
 };
 

@@ -52,8 +52,8 @@ std::vector<Collision> Collisions::ended(const std::map<std::int64_t, Motion>& m
   return ended;
 }
 
-std::vector<Collision> Collisions::take(const ParticleSet& set,
-                                        const std::vector<TouchingPair>& pairs, double time) {
+std::vector<Collision> Collisions::advance(const ParticleSet& set,
+                                           const std::vector<TouchingPair>& pairs, double time) {
   if (!set.has_velocities || !set.has_spins)
     throw InputError("collisions need the columns vx vy vz and omegax omegay omegaz");
   const double between = 0.5 * (m_time + time);

@@ -45,8 +45,8 @@ class Collisions {
   /// The next frame and its touching pairs. Throws InputError without velocities and
   /// angular velocities.
   /// @return the collisions that ended before it
-  std::vector<Collision> take(const ParticleSet& set, const std::vector<TouchingPair>& pairs,
-                              double time);
+  std::vector<Collision> advance(const ParticleSet& set, const std::vector<TouchingPair>& pairs,
+                                 double time);
 
   std::size_t from_the_start() const { return m_from_the_start; } ///< pairs not seen to begin
   std::size_t not_ended() const { return m_touching.size(); }     ///< pairs that touch now

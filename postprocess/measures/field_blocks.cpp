@@ -44,29 +44,29 @@ std::size_t FieldBlocks::frames() const {
   return sum;
 }
 
-FieldSums FieldBlocks::mean(std::size_t place) const {
+FieldSums FieldBlocks::mean(std::size_t point) const {
   FieldSums mean{};
   for (const Block& block : m_blocks)
     for (std::size_t k = 0; k < field_size; ++k)
-      mean[k] += block.sums[place][k];
+      mean[k] += block.sums[point][k];
   for (double& value : mean)
     value /= static_cast<double>(frames());
   return mean;
 }
 
 std::vector<double> FieldBlocks::standard_errors(
-    std::size_t place, const std::function<std::vector<double>(const FieldSums&)>& numbers) const {
+    std::size_t point, const std::function<std::vector<double>(const FieldSums&)>& numbers) const {
   if (m_blocks.size() < 2)
     return {};
   const double count = static_cast<double>(m_blocks.size()), all = static_cast<double>(frames());
-  const FieldSums mean_of_all = mean(place);
+  const FieldSums mean_of_all = mean(point);
   const std::vector<double> whole = numbers(mean_of_all);
   std::vector<std::vector<double>> left_out;
   for (const Block& block : m_blocks) {
     const double m = static_cast<double>(block.frames);
     FieldSums rest{};
     for (std::size_t k = 0; k < field_size; ++k)
-      rest[k] = (all * mean_of_all[k] - block.sums[place][k]) / (all - m);
+      rest[k] = (all * mean_of_all[k] - block.sums[point][k]) / (all - m);
     left_out.push_back(numbers(rest));
   }
   std::vector<double> errors(whole.size(), 0.0);

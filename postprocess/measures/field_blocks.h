@@ -17,15 +17,15 @@ class FieldBlocks {
   void add(const std::vector<FieldSums>& frame);
 
   std::size_t frames() const;
-  std::size_t places() const { return m_blocks.empty() ? 0 : m_blocks.front().sums.size(); }
-  /// Mean over the frames at one place.
-  FieldSums mean(std::size_t place) const;
+  std::size_t points() const { return m_blocks.empty() ? 0 : m_blocks.front().sums.size(); }
+  /// Mean over the frames at one point.
+  FieldSums mean(std::size_t point) const;
 
-  /// Standard errors of numbers that are made of the mean at one place: the jackknife over blocks
+  /// Standard errors of numbers that are made of the mean at one point: the jackknife over blocks
   /// of unequal numbers of frames (Busing, Meijer, van der Leeden 1999, Statistics and Computing 9,
   /// 3-8). Empty for less than two blocks.
   std::vector<double>
-  standard_errors(std::size_t place,
+  standard_errors(std::size_t point,
                   const std::function<std::vector<double>(const FieldSums&)>& numbers) const;
 
  private:

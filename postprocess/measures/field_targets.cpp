@@ -110,8 +110,8 @@ class PointTargets : public FieldTargets {
 
  private:
   std::size_t cell_along(std::size_t k, double x) const {
-    const double place = std::floor((x - component(m_bounds.lower, k)) / m_size[k]);
-    return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(m_count[k] - 1)));
+    const double cell = std::floor((x - component(m_bounds.lower, k)) / m_size[k]);
+    return static_cast<std::size_t>(std::clamp(cell, 0.0, static_cast<double>(m_count[k] - 1)));
   }
 
   template <class Weight>
@@ -158,9 +158,9 @@ class PlaneTargets : public FieldTargets {
     m_lowest = *range.first;
     m_highest = *range.second;
     if (section)
-      take_section(*section, longest);
+      set_section(*section, longest);
     else
-      take_cell(longest);
+      set_cell(longest);
   }
 
   void add_at(const Vector3& point, const FieldSums& source, FieldRange range) override {
@@ -186,7 +186,7 @@ class PlaneTargets : public FieldTargets {
   void clear() override { std::fill(m_sums.begin(), m_sums.end(), FieldSums{}); }
 
  private:
-  void take_section(const Box& section, double longest) {
+  void set_section(const Box& section, double longest) {
     Bounds bounds{{section.lower[0], section.lower[1], section.lower[2]},
                   {section.upper[0], section.upper[1], section.upper[2]}};
     m_area = 1.0;
@@ -197,7 +197,7 @@ class PlaneTargets : public FieldTargets {
   }
 
   /// Images along the axis only: those beside it are the same planes.
-  void take_cell(double longest) {
+  void set_cell(double longest) {
     m_area = m_cell.volume() / m_cell.thickness(m_axis);
     for (std::size_t k = 0; k < 3; ++k)
       if (k != m_axis && m_cell.is_periodic(k) && component(m_cell.edge(k), m_axis) != 0.0)

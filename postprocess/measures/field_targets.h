@@ -42,7 +42,7 @@ constexpr FieldRange particle_range{field_number, field_contact_stress},
     contact_range{field_contact_stress, field_boundary_force},
     boundary_range{field_boundary_force, field_size};
 
-/// The places at which fields are taken, and their sums.
+/// The points at which fields are evaluated, and their sums.
 class FieldTargets {
  public:
   virtual ~FieldTargets() = default;

@@ -37,7 +37,7 @@ bool lies_in(const std::array<Point2, 3>& corners, const Point2& p) {
 }
 
 /// Seen along the axis that is nearest to the normal.
-bool lies_in(const Triangle& triangle, const Vector3& normal, const Vector3& place) {
+bool lies_in(const Triangle& triangle, const Vector3& normal, const Vector3& position) {
   const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
   const auto seen = [&](const Vector3& r) {
     return z >= x && z >= y ? Point2{r.x, r.y} : y >= x ? Point2{r.z, r.x} : Point2{r.y, r.z};
@@ -45,7 +45,7 @@ bool lies_in(const Triangle& triangle, const Vector3& normal, const Vector3& pla
   std::array<Point2, 3> corners{seen(triangle[0]), seen(triangle[1]), seen(triangle[2])};
   if (area_of(corners[0], corners[1], corners[2]) < 0.0)
     std::swap(corners[1], corners[2]);
-  return lies_in(corners, seen(place));
+  return lies_in(corners, seen(position));
 }
 
 /// Of a way with a plane, which belongs to its upper side.
@@ -60,10 +60,10 @@ std::optional<GateCrossing> plane_crossing(const Vector3& point, const Vector3& 
 
 } // namespace
 
-bool FlowGate::holds(const Vector3& place) const {
+bool FlowGate::holds(const Vector3& position) const {
   if (!radius)
     return true;
-  const Vector3 d = place - point;
+  const Vector3 d = position - point;
   return norm(d - dot(d, normal) * normal) <= *radius;
 }
 
@@ -72,13 +72,13 @@ std::vector<GateCrossing> crossings(const FlowGate& gate, const Vector3& from, c
   for (const Triangle& triangle : gate.triangles) {
     const Vector3 normal = unit_normal(triangle);
     const auto crossing = plane_crossing(triangle[0], normal, from, to);
-    if (crossing && lies_in(triangle, normal, crossing->place))
+    if (crossing && lies_in(triangle, normal, crossing->position))
       found.push_back(*crossing);
   }
   if (!gate.triangles.empty())
     return found;
   const auto crossing = plane_crossing(gate.point, gate.normal, from, to);
-  if (crossing && gate.holds(crossing->place))
+  if (crossing && gate.holds(crossing->position))
     found.push_back(*crossing);
   return found;
 }

@@ -16,14 +16,14 @@ struct FlowGate {
   std::vector<std::array<Vector3, 3>> triangles; ///< if any: instead of plane and disc
 
   /// Whether a point of the plane belongs to it (that of triangles: not asked).
-  bool holds(const Vector3& place) const;
+  bool holds(const Vector3& position) const;
 };
 
 /// A way from one point straight to another through a gate.
 struct GateCrossing {
-  int direction = 0;     ///< +1 forward, -1 backward
-  double share = 0.0;    ///< of the way, where it crosses: 0 to 1
-  Vector3 place, normal; ///< there; normal: unit, forward
+  int direction = 0;        ///< +1 forward, -1 backward
+  double share = 0.0;       ///< of the way, where it crosses: 0 to 1
+  Vector3 position, normal; ///< there; normal: unit, forward
 };
 
 /// All crossings of the way. A gate belongs to the side to which its normal points, and edges that

@@ -28,8 +28,9 @@ FlowProfile FlowProfile::strips(const Vector3& along, double begin, double end, 
 
 void FlowProfile::add(const std::vector<Passage>& passages, double duration) {
   for (const Passage& passage : passages) {
-    const double place = m_along ? dot(*m_along, passage.place) : norm(passage.place - m_middle);
-    const double number = std::floor((place - m_begin) / m_width);
+    const double coordinate =
+        m_along ? dot(*m_along, passage.position) : norm(passage.position - m_middle);
+    const double number = std::floor((coordinate - m_begin) / m_width);
     if (!(number >= 0.0 && number < static_cast<double>(m_sums.size()))) {
       ++m_beyond;
       continue;

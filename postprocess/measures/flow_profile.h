@@ -10,7 +10,7 @@ namespace ellipsoid::post {
 
 /// What passed one part of an opening.
 struct FlowBin {
-  double begin = 0.0, end = 0.0; ///< radii, or places along a direction (length)
+  double begin = 0.0, end = 0.0; ///< radii, or coordinates along a direction (length)
   std::optional<double> area;    ///< of rings (length^2)
   std::size_t forward = 0, backward = 0;
   double net_mass = 0.0;
@@ -19,13 +19,13 @@ struct FlowBin {
   double mass = 0.0, speed = 0.0, speed_square = 0.0, across = 0.0;
 };
 
-/// Passages by their places in an opening: rings about the middle of a disc, or strips along a
+/// Passages by where they are in an opening: rings about the middle of a disc, or strips along a
 /// direction.
 class FlowProfile {
  public:
   /// Rings of equal width of a disc. @param[in] radius (length)
   static FlowProfile rings(const Vector3& middle, double radius, std::size_t count);
-  /// Strips. @param[in] along unit, @param[in] begin, end of dot(along, place) (length)
+  /// Strips. @param[in] along unit, @param[in] begin, end of dot(along, position) (length)
   static FlowProfile strips(const Vector3& along, double begin, double end, std::size_t count);
 
   /// Passages of a step of this duration (time). Those beyond the bins are counted apart.

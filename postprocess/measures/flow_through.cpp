@@ -98,14 +98,14 @@ void FlowThrough::move(const Particle& particle, const State& before, const Stat
                                                 (a.direction == b.direction && a.share < b.share);
                                        });
     step.passages.push_back(
-        {particle.id, net > 0, mass, last->share, last->place, last->normal, way});
+        {particle.id, net > 0, mass, last->share, last->position, last->normal, way});
   }
   if (step.volume_share_mass && (m_gate.holds(particle.centre) || m_gate.holds(before.centre)))
     *step.volume_share_mass += mass * (now.beyond - before.beyond);
 }
 
-std::optional<FlowStep> FlowThrough::take(const ParticleSet& set, const PeriodicCell& cell,
-                                          const std::optional<double>& density) {
+std::optional<FlowStep> FlowThrough::advance(const ParticleSet& set, const PeriodicCell& cell,
+                                             const std::optional<double>& density) {
   FlowStep step;
   if (m_gate.triangles.empty())
     step.volume_share_mass = 0.0;

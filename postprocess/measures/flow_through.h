@@ -20,7 +20,7 @@ struct Passage {
   bool is_forward = true;
   double mass = 0.0;
   double share = 0.0; ///< of the time between the two frames
-  Vector3 place;      ///< of its centre, as it passed (length)
+  Vector3 position;   ///< of its centre, as it passed (length)
   Vector3 normal;     ///< of the gate there, forward (unit)
   Vector3 way;        ///< from frame to frame (length)
 };
@@ -50,8 +50,8 @@ class FlowThrough {
 
   /// The next frame. The first one gives nothing.
   /// Throws InputError without masses, where `density` is none.
-  std::optional<FlowStep> take(const ParticleSet& set, const PeriodicCell& cell,
-                               const std::optional<double>& density);
+  std::optional<FlowStep> advance(const ParticleSet& set, const PeriodicCell& cell,
+                                  const std::optional<double>& density);
 
  private:
   struct State {

@@ -20,7 +20,7 @@ std::size_t ListedParticles::at(const std::string& column, std::size_t row) cons
   const double id = m_list.required(column, "id of a particle")[row];
   const auto found = m_index_of_id.find(id);
   if (found == m_index_of_id.end())
-    throw unexpected({m_list.place.file, m_list.place.line + row, m_list.place.frame},
+    throw unexpected({m_list.location.file, m_list.location.line + row, m_list.location.frame},
                      fmt::format("the id of a particle in column \"{}\"", column),
                      fmt::format("{}, which the dump of the particles does not have", id));
   return found->second;

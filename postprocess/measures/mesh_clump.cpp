@@ -30,14 +30,14 @@ struct Ball {
 Ball shrunken_ball(const TriangleTree& tree, const MeshPoint& point, double size) {
   double radius = size;
   for (int i = 0; i < most_shrinkings; ++i) {
-    const Vector3 centre = point.place - radius * point.normal, q = tree.nearest(centre),
-                  apart = point.place - q;
+    const Vector3 centre = point.position - radius * point.normal, q = tree.nearest(centre),
+                  apart = point.position - q;
     const double along = dot(apart, point.normal);
     if (norm(q - centre) >= radius * (1.0 - 1e-9) || !(along > 0.0))
       break;
     radius = std::min(radius * (1.0 - 1e-12), dot(apart, apart) / (2.0 * along));
   }
-  const Vector3 centre = point.place - radius * point.normal;
+  const Vector3 centre = point.position - radius * point.normal;
   return {centre, norm(tree.nearest(centre) - centre)};
 }
 
@@ -55,37 +55,26 @@ class Voxels {
     m_nz = inside + 2 * rim_voxels;
     m_z0 = solid.box.lower.z - rim_voxels * m_width_z;
     const SolidColumns columns = solid.columns(m_grid);
-    m_open.resize(columns.size() * static_cast<std::size_t>(m_nz), false);
+    m_uncovered.resize(columns.size() * static_cast<std::size_t>(m_nz), false);
     for (std::size_t c = 0; c < columns.size(); ++c)
       for (const ColumnPart& part : columns[c])
         for (int k = 0; k < m_nz; ++k)
           if (z(k) > part.from && z(k) < part.to)
-            m_open[c * static_cast<std::size_t>(m_nz) + static_cast<std::size_t>(k)] = true;
+            m_uncovered[c * static_cast<std::size_t>(m_nz) + static_cast<std::size_t>(k)] = true;
   }
 
   double z(int k) const { return m_z0 + (k + 0.5) * m_width_z; }
   const ColumnGrid& grid() const { return m_grid; }
   int nz() const { return m_nz; }
-  bool is_open(std::size_t voxel) const { return m_open[voxel]; }
+  bool is_uncovered(std::size_t voxel) const { return m_uncovered[voxel]; }
 
-  /// Open voxels in a ball; closes them if asked to.
-  int count_open(const Ball& ball, bool closes) {
+  int count_uncovered(const Ball& ball) const {
     int count = 0;
-    const auto [i0, i1] = range(ball.centre.x, ball.radius, m_grid.x0, m_grid.width_x, m_grid.nx);
-    const auto [j0, j1] = range(ball.centre.y, ball.radius, m_grid.y0, m_grid.width_y, m_grid.ny);
-    const auto [k0, k1] = range(ball.centre.z, ball.radius, m_z0, m_width_z, m_nz);
-    for (int j = j0; j < j1; ++j)
-      for (int i = i0; i < i1; ++i)
-        for (int k = k0; k < k1; ++k) {
-          const std::size_t voxel = index(i, j, k);
-          const Vector3 apart = Vector3{m_grid.x(i), m_grid.y(j), z(k)} - ball.centre;
-          if (!m_open[voxel] || dot(apart, apart) >= ball.radius * ball.radius)
-            continue;
-          ++count;
-          if (closes)
-            m_open[voxel] = false;
-        }
+    for_each_uncovered(ball, [&count](std::size_t) { ++count; });
     return count;
+  }
+  void cover(const Ball& ball) {
+    for_each_uncovered(ball, [this](std::size_t voxel) { m_uncovered[voxel] = false; });
   }
 
   std::size_t index(int i, int j, int k) const {
@@ -96,6 +85,20 @@ class Voxels {
   }
 
  private:
+  template <class Visit> void for_each_uncovered(const Ball& ball, const Visit& visit) const {
+    const auto [i0, i1] = range(ball.centre.x, ball.radius, m_grid.x0, m_grid.width_x, m_grid.nx);
+    const auto [j0, j1] = range(ball.centre.y, ball.radius, m_grid.y0, m_grid.width_y, m_grid.ny);
+    const auto [k0, k1] = range(ball.centre.z, ball.radius, m_z0, m_width_z, m_nz);
+    for (int j = j0; j < j1; ++j)
+      for (int i = i0; i < i1; ++i)
+        for (int k = k0; k < k1; ++k) {
+          const std::size_t voxel = index(i, j, k);
+          const Vector3 apart = Vector3{m_grid.x(i), m_grid.y(j), z(k)} - ball.centre;
+          if (m_uncovered[voxel] && dot(apart, apart) < ball.radius * ball.radius)
+            visit(voxel);
+        }
+  }
+
   static std::array<int, 2> range(double centre, double radius, double begin, double w, int count) {
     return {std::clamp(static_cast<int>((centre - radius - begin) / w - 0.5), 0, count),
             std::clamp(static_cast<int>((centre + radius - begin) / w + 1.5), 0, count)};
@@ -104,7 +107,7 @@ class Voxels {
   ColumnGrid m_grid;
   int m_nz = 0;
   double m_z0 = 0.0, m_width_z = 0.0;
-  std::vector<bool> m_open;
+  std::vector<bool> m_uncovered;
 };
 
 bool touches(const Ball& ball, const SphereSet& placed) {
@@ -120,13 +123,13 @@ bool touches(const Ball& ball, const SphereSet& placed) {
 SphereSet ordered_by_gain(const std::vector<Ball>& balls, Voxels& voxels) {
   std::priority_queue<std::pair<int, std::size_t>> leaders;
   for (std::size_t k = 0; k < balls.size(); ++k)
-    leaders.push({voxels.count_open(balls[k], false), k});
+    leaders.push({voxels.count_uncovered(balls[k]), k});
   SphereSet placed;
   std::vector<std::pair<int, std::size_t>> waiting;
   while (!leaders.empty() && placed.count() < largest_set_count) {
     const std::size_t k = leaders.top().second;
     leaders.pop();
-    const int gain = voxels.count_open(balls[k], false);
+    const int gain = voxels.count_uncovered(balls[k]);
     if (gain == 0)
       continue;
     if (!leaders.empty() && gain < leaders.top().first) {
@@ -137,7 +140,7 @@ SphereSet ordered_by_gain(const std::vector<Ball>& balls, Voxels& voxels) {
       waiting.push_back({gain, k});
       continue;
     }
-    voxels.count_open(balls[k], true);
+    voxels.cover(balls[k]);
     placed.centres.push_back(balls[k].centre);
     placed.radii.push_back(balls[k].radius);
     for (const auto& one : waiting)
@@ -159,7 +162,7 @@ double best_growth(const SphereSet& set, const Solid& solid) {
         for (std::size_t m = 0; m < set.radii.size(); ++m)
           gap = std::min(gap, norm(p - set.centres[m]) - set.radii[m]);
         if (gap > 0.0)
-          steps.emplace_back(gap, voxels.is_open(voxels.index(i, j, k)) ? 1 : -1);
+          steps.emplace_back(gap, voxels.is_uncovered(voxels.index(i, j, k)) ? 1 : -1);
       }
   std::sort(steps.begin(), steps.end());
   double best = 0.0;
@@ -184,7 +187,7 @@ Solid solid_of(const std::vector<Triangle3>& triangles,
   solid.inertia = m.inertia;
   solid.box = m.box;
   for (const MeshPoint& point : mesh_points(triangles, outline_points))
-    solid.points.push_back({point.place, m.surface / outline_points});
+    solid.points.push_back({point.position, m.surface / outline_points});
   solid.columns = [triangles](const ColumnGrid& grid) { return mesh_columns(grid, triangles); };
   solid.distance = [tree](const Vector3& p) { return norm(tree->nearest(p) - p); };
   return solid;

@@ -169,8 +169,8 @@ struct AxisIndex {
   double index = 1.0, lowest = 1.0, highest = 1.0, error = 0.0;
 };
 
-/// The largest sum of w q x / sum of w x over all orders of the particles at these places: for a
-/// given quotient L the best order has w (q - L) ascending with x (Dinkelbach 1967).
+/// The largest sum of w q x / sum of w x over all orders of the particles at these coordinates: for
+/// a given quotient L the best order has w (q - L) ascending with x (Dinkelbach 1967).
 double largest_quotient(const std::vector<double>& sorted_places, const std::vector<double>& values,
                         const std::vector<double>& weights) {
   std::vector<std::size_t> order(values.size());
@@ -194,20 +194,20 @@ double largest_quotient(const std::vector<double>& sorted_places, const std::vec
   return quotient;
 }
 
-AxisIndex axis_index(std::vector<double> places, const std::vector<double>& values,
+AxisIndex axis_index(std::vector<double> coordinates, const std::vector<double>& values,
                      const std::vector<double>& weights) {
-  const double count = static_cast<double>(places.size());
-  const double first = *std::min_element(places.begin(), places.end());
+  const double count = static_cast<double>(coordinates.size());
+  const double first = *std::min_element(coordinates.begin(), coordinates.end());
   double weight = 0.0, total = 0.0, mean = 0.0, weighted = 0.0, weighted_mean = 0.0, squares = 0.0;
-  for (double& x : places)
+  for (double& x : coordinates)
     x -= first;
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
     weight += weights[i];
     total += weights[i] * values[i];
-    mean += places[i] / count;
-    weighted_mean += weights[i] * places[i];
-    weighted += weights[i] * values[i] * places[i];
-    squares += places[i] * places[i] / count;
+    mean += coordinates[i] / count;
+    weighted_mean += weights[i] * coordinates[i];
+    weighted += weights[i] * values[i] * coordinates[i];
+    squares += coordinates[i] * coordinates[i] / count;
   }
   if (!(mean > 0.0)) // all in one plane across this axis
     return {};
@@ -224,25 +224,25 @@ AxisIndex axis_index(std::vector<double> places, const std::vector<double>& valu
   result.index = weighted / weighted_mean / p;
   // of a mean over a random order (finite population)
   result.error = std::sqrt(spread * (squares - mean * mean) * count / (count - 1.0)) / total / mean;
-  std::sort(places.begin(), places.end());
-  result.highest = largest_quotient(places, values, weights) / p;
-  result.lowest = (largest - largest_quotient(places, mirrored, weights)) / p;
+  std::sort(coordinates.begin(), coordinates.end());
+  result.highest = largest_quotient(coordinates, values, weights) / p;
+  result.lowest = (largest - largest_quotient(coordinates, mirrored, weights)) / p;
   return result;
 }
 
 void add_mean_positions(Mixing& result, const ParticleSet& set, const std::vector<double>& values,
                         const std::vector<double>& weights) {
-  std::array<std::vector<double>, 3> places;
+  std::array<std::vector<double>, 3> coordinates;
   for (const Particle& p : set.particles) {
-    places[0].push_back(p.centre.x);
-    places[1].push_back(p.centre.y);
-    places[2].push_back(p.centre.z);
+    coordinates[0].push_back(p.centre.x);
+    coordinates[1].push_back(p.centre.y);
+    coordinates[2].push_back(p.centre.z);
   }
   double squared_error = 0.0;
   double* const each[3] = {&result.mean_position_x, &result.mean_position_y,
                            &result.mean_position_z};
   for (std::size_t k = 0; k < 3; ++k) {
-    const AxisIndex axis = axis_index(places[k], values, weights);
+    const AxisIndex axis = axis_index(coordinates[k], values, weights);
     *each[k] = axis.index;
     result.mean_position += axis.index / 3.0;
     result.mean_position_lowest += axis.lowest / 3.0;

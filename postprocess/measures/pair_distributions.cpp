@@ -45,7 +45,7 @@ class RegionSeen {
       m_volume *= length;
       m_farthest = std::min(m_farthest, cell.is_periodic(k) ? 0.5 * length : length);
       if (!cell.is_periodic(k))
-        m_open.push_back(length);
+        m_open_edges.push_back(length);
     }
   }
   double volume() const { return m_volume; }
@@ -53,19 +53,19 @@ class RegionSeen {
   double at(double r) const {
     constexpr double mean_one = 0.5, mean_two = 2.0 / (3.0 * M_PI), mean_three = 1.0 / (4.0 * M_PI);
     double first = 0.0, second = 0.0, third = 0.0; // sums of products of r / L
-    if (m_open.size() == 3)
-      third = r * r * r / (m_open[0] * m_open[1] * m_open[2]);
-    for (std::size_t k = 0; k < m_open.size(); ++k) {
-      first += r / m_open[k];
+    if (m_open_edges.size() == 3)
+      third = r * r * r / (m_open_edges[0] * m_open_edges[1] * m_open_edges[2]);
+    for (std::size_t k = 0; k < m_open_edges.size(); ++k) {
+      first += r / m_open_edges[k];
       for (std::size_t l = 0; l < k; ++l)
-        second += r * r / (m_open[k] * m_open[l]);
+        second += r * r / (m_open_edges[k] * m_open_edges[l]);
     }
     return m_volume * (1.0 - mean_one * first + mean_two * second - mean_three * third);
   }
 
  private:
   double m_volume = 1.0, m_farthest = 1.0e300;
-  std::vector<double> m_open; ///< lengths of the edges that do not repeat
+  std::vector<double> m_open_edges; ///< lengths of the edges that do not repeat
 };
 
 EllipsoidShape ball(double radius) { return make_shape({radius, radius, radius}, {}); }

@@ -26,7 +26,7 @@ DistanceSummary add_up(const std::vector<SurfacePoint>& points,
   DistanceSummary found;
   double area = 0.0, sum = 0.0, squares = 0.0;
   for (const SurfacePoint& point : points) {
-    const double d = distance(point.place);
+    const double d = distance(point.position);
     found.largest = std::max(found.largest, d);
     sum += point.area * d;
     squares += point.area * d * d;

@@ -19,7 +19,7 @@ Vector3 rotation_between(const Quaternion& p, const Quaternion& q) {
   return (2.0 * std::atan2(length, turn.w) / length) * sine;
 }
 
-void Trajectories::take(const ParticleSet& set, const PeriodicCell& cell) {
+void Trajectories::add(const ParticleSet& set, const PeriodicCell& cell) {
   move(set, cell);
   for (const Origin& origin : m_origins)
     compare(origin);

@@ -32,7 +32,7 @@ class Trajectories {
   Trajectories(std::size_t origins, std::size_t apart) : m_most(origins), m_apart(apart) {}
 
   /// The next frame; the cell is that of the frame.
-  void take(const ParticleSet& set, const PeriodicCell& cell);
+  void add(const ParticleSet& set, const PeriodicCell& cell);
 
   /// Means by the number of frames between origin and frame.
   const std::map<std::size_t, LagMeans>& sums() const { return m_sums; }

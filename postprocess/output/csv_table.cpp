@@ -13,7 +13,7 @@ namespace ellipsoid::post {
 namespace {
 
 /// Fields of one line; a doubled quote inside quotes stands for one.
-std::vector<std::string> fields_of(std::string_view line, const FilePlace& place) {
+std::vector<std::string> fields_of(std::string_view line, const FileLocation& location) {
   std::vector<std::string> fields(1);
   bool is_quoted = false;
   for (std::size_t k = 0; k < line.size(); ++k) {
@@ -31,7 +31,7 @@ std::vector<std::string> fields_of(std::string_view line, const FilePlace& place
   }
   if (is_quoted)
     throw InputError(
-        fmt::format("{}:{}: expected a closing quote in this line", place.file, place.line));
+        fmt::format("{}:{}: expected a closing quote in this line", location.file, location.line));
   return fields;
 }
 

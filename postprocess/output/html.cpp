@@ -35,8 +35,8 @@ std::string named(const Quantity& q) {
 std::string cell(const Row& row, const std::string& key) {
   const Value* value = find_value(row, key);
   std::string text = html_safe(value ? shown(*value) : "-");
-  if (const auto place = text.find(" +- "); place != std::string::npos)
-    text.replace(place, 4, " ± ");
+  if (const auto at = text.find(" +- "); at != std::string::npos)
+    text.replace(at, 4, " ± ");
   return text;
 }
 

@@ -8,7 +8,7 @@
 
 namespace ellipsoid::post {
 
-/// Text with the signs of HTML made harmless.
+/// Text with the signs of HTML and SVG made harmless.
 std::string html_safe(const std::string& text);
 
 /// A table as HTML, a line per row; numbers with five digits, "+-" as one sign. The first column

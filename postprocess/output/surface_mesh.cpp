@@ -45,11 +45,4 @@ std::string stl_text(const SurfaceMesh& mesh) {
   return text + "endsolid particle\n";
 }
 
-double enclosed_volume(const SurfaceMesh& mesh) {
-  double volume = 0.0;
-  for (const auto& t : mesh.triangles)
-    volume += dot(mesh.points[t[0]], cross(mesh.points[t[1]], mesh.points[t[2]])) / 6.0;
-  return volume;
-}
-
 } // namespace ellipsoid::post

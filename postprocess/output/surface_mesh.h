@@ -28,7 +28,4 @@ std::string vtp_text(const SurfaceMesh& mesh);
 /// STL, ASCII.
 std::string stl_text(const SurfaceMesh& mesh);
 
-/// Volume inside a closed surface (length^3), positive when the triangles are turned outwards.
-double enclosed_volume(const SurfaceMesh& mesh);
-
 } // namespace ellipsoid::post

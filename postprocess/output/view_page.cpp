@@ -34,8 +34,8 @@ std::vector<float> spheres_in_body(const ParticleSet& set, const Particle& p) {
   const double scale = 1.0 / p.largest_axis();
   std::vector<float> spheres;
   for (std::size_t k = p.first_sphere; k < p.first_sphere + p.sphere_count; ++k) {
-    const Vector3 place = scale * turn.to_body(set.spheres[k].centre - p.centre);
-    for (const double value : {place.x, place.y, place.z, scale * set.spheres[k].radius})
+    const Vector3 centre = scale * turn.to_body(set.spheres[k].centre - p.centre);
+    for (const double value : {centre.x, centre.y, centre.z, scale * set.spheres[k].radius})
       spheres.push_back(static_cast<float>(value));
   }
   return spheres;
@@ -61,6 +61,39 @@ std::string time_text(const Frame& frame) {
   return fmt::format("time step {}", frame.timestep);
 }
 
+json templates_json(const std::vector<std::vector<float>>& spheres_of_templates) {
+  json templates = json::array();
+  std::size_t first = 0;
+  for (const auto& spheres : spheres_of_templates) {
+    templates.push_back({{"first", first}, {"spheres", spheres}});
+    first += spheres.size() / 4;
+  }
+  return templates;
+}
+
+json walls_json(const ViewSettings& settings) {
+  json walls = json::array();
+  for (const ViewWall& wall : settings.walls)
+    walls.push_back({{"point", numbers(wall.point)}, {"normal", numbers(wall.normal)}});
+  return walls;
+}
+
+json cylinders_json(const ViewSettings& settings) {
+  json cylinders = json::array();
+  for (const ViewCylinder& cylinder : settings.cylinders)
+    cylinders.push_back({{"point", numbers(cylinder.point)},
+                         {"axis", numbers(cylinder.axis)},
+                         {"radius", cylinder.radius}});
+  return cylinders;
+}
+
+json meshes_json(const ViewSettings& settings) {
+  json meshes = json::array();
+  for (const ViewMesh& mesh : settings.meshes)
+    meshes.push_back({{"name", mesh.name}});
+  return meshes;
+}
+
 /// Text inside a script element: nothing in it may end the element.
 std::string script_safe(std::string text) {
   for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3))
@@ -83,7 +116,7 @@ void ViewSurvey::add(const Frame& frame, const ParticleSet& set) {
     for (unsigned k = 0; k < 3; ++k) {
       m_bounds.lower[k] = std::min(m_bounds.lower[k], component(p.centre, k) - reach);
       m_bounds.upper[k] = std::max(m_bounds.upper[k], component(p.centre, k) + reach);
-      m_places[k].add({component(p.centre, k)});
+      m_coordinates[k].add({component(p.centre, k)});
     }
     m_largest_axis = std::max(m_largest_axis, reach);
     m_is_planar = m_is_planar && std::abs(p.centre.z - m_plane) <= 1e-6 * reach;
@@ -95,7 +128,7 @@ void ViewSurvey::add(const Frame& frame, const ParticleSet& set) {
     if (m_templates.size() > most_templates)
       throw InputError(fmt::format("{}: more than {} kinds of bodies of spheres; the file does not "
                                    "tell how its bodies are turned (columns quat1..quat4)",
-                                   frame.place.file, most_templates));
+                                   frame.location.file, most_templates));
   }
   add_columns(frame, set);
   ++m_frames;
@@ -112,8 +145,8 @@ std::vector<std::string> ViewSurvey::column_names() const {
 Box ViewSurvey::bulk() const {
   Box bulk = m_bounds;
   for (unsigned k = 0; k < 3; ++k) {
-    const auto [low, high] = m_places[k].shown();
-    if (low > m_places[k].low() || high < m_places[k].high()) {
+    const auto [low, high] = m_coordinates[k].shown();
+    if (low > m_coordinates[k].low() || high < m_coordinates[k].high()) {
       bulk.lower[k] = low - m_largest_axis;
       bulk.upper[k] = high + m_largest_axis;
     }
@@ -129,11 +162,11 @@ std::uint32_t ViewSurvey::template_of(const ParticleSet& set, const Particle& p)
   std::vector<long> key;
   for (const float value : spheres)
     key.push_back(std::lround(scale_steps * static_cast<double>(value)));
-  const auto [place, is_new] =
+  const auto [entry, is_new] =
       m_templates.emplace(std::move(key), static_cast<std::uint32_t>(m_templates.size() + 1));
   if (is_new)
     m_spheres.push_back(std::move(spheres));
-  return place->second;
+  return entry->second;
 }
 
 void ViewSurvey::add_columns(const Frame& frame, const ParticleSet& set) {
@@ -170,32 +203,32 @@ std::size_t ViewPage::bytes_per_particle() const {
   return 4 + (m_is_fine ? 12 : 6) + 6 + 2 * m_survey.m_columns.size();
 }
 
-/// Number of the body, places and turns of each particle, column by column.
+/// Number of the body, coordinates and turns of each particle, column by column.
 void ViewPage::pack_bodies(PackedColumns& packed, const Frame& frame, const ParticleSet& set) {
   std::vector<std::uint32_t> bodies;
-  std::array<std::vector<std::uint32_t>, 3> places;
+  std::array<std::vector<std::uint32_t>, 3> coordinates;
   std::array<std::vector<std::uint16_t>, 3> turns;
   for (const Particle& p : set.particles) {
     const double number = m_survey.template_of(set, p);
     const auto body = m_survey.m_bodies.find(
         {static_cast<double>(p.id), p.semiaxes.x, p.semiaxes.y, p.semiaxes.z, number});
     if (body == m_survey.m_bodies.end())
-      throw InputError(frame.place.file +
+      throw InputError(frame.location.file +
                        ": changed while it was read; start again when it is whole");
     bodies.push_back(body->second);
     for (unsigned k = 0; k < 3; ++k)
-      places[k].push_back(static_cast<std::uint32_t>(std::llround(
+      coordinates[k].push_back(static_cast<std::uint32_t>(std::llround(
           (component(p.centre, k) - m_survey.m_bounds.lower[k]) / std::max(m_step, 1e-300))));
     const auto turn = packed_quaternion(p.orientation);
     for (unsigned k = 0; k < 3; ++k)
       turns[k].push_back(turn[k]);
   }
   packed.add(bodies);
-  for (const auto& place : places)
+  for (const auto& column : coordinates)
     if (m_is_fine)
-      packed.add(place);
+      packed.add(column);
     else
-      packed.add(std::vector<std::uint16_t>(place.begin(), place.end()));
+      packed.add(std::vector<std::uint16_t>(column.begin(), column.end()));
   for (const auto& turn : turns)
     packed.add(turn);
 }
@@ -290,21 +323,6 @@ PackedColumns ViewPage::packed_survey() const {
 }
 
 std::string ViewPage::header_json() const {
-  json templates = json::array(), walls = json::array(), cylinders = json::array(),
-       meshes = json::array();
-  std::size_t first = 0;
-  for (const auto& spheres : m_survey.m_spheres) {
-    templates.push_back({{"first", first}, {"spheres", spheres}});
-    first += spheres.size() / 4;
-  }
-  for (const ViewWall& wall : m_settings.walls)
-    walls.push_back({{"point", numbers(wall.point)}, {"normal", numbers(wall.normal)}});
-  for (const ViewCylinder& cylinder : m_settings.cylinders)
-    cylinders.push_back({{"point", numbers(cylinder.point)},
-                         {"axis", numbers(cylinder.axis)},
-                         {"radius", cylinder.radius}});
-  for (const ViewMesh& mesh : m_settings.meshes)
-    meshes.push_back({{"name", mesh.name}});
   const auto& bounds = m_survey.m_bounds;
   const Box bulk = m_survey.bulk();
   const json position = {
@@ -323,10 +341,10 @@ std::string ViewPage::header_json() const {
                        {"position", position},
                        {"columns", json::parse(columns_json())},
                        {"frames", json::parse("[" + m_frames_json + "]")},
-                       {"templates", templates},
-                       {"walls", walls},
-                       {"cylinders", cylinders},
-                       {"meshes", meshes},
+                       {"templates", templates_json(m_survey.m_spheres)},
+                       {"walls", walls_json(m_settings)},
+                       {"cylinders", cylinders_json(m_settings)},
+                       {"meshes", meshes_json(m_settings)},
                        {"has_contacts", m_settings.has_contacts},
                        {"has_forces", m_settings.has_forces},
                        {"largest_force", m_largest_force},

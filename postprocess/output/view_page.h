@@ -75,8 +75,8 @@ class ViewSurvey {
   std::size_t m_frames = 0;
   bool m_is_planar = true;
   double m_plane = 0.0, m_smallest_axis = 0.0, m_largest_axis = 0.0;
-  std::vector<ColumnRange> m_places =
-      std::vector<ColumnRange>(3, ColumnRange({"place", "", false, {}}));
+  std::vector<ColumnRange> m_coordinates =
+      std::vector<ColumnRange>(3, ColumnRange({"coordinate", "", false, {}}));
   Box m_bounds; ///< of all bodies in all frames
   std::map<Body, std::uint32_t> m_bodies;
   std::map<std::vector<long>, std::uint32_t> m_templates; ///< rounded spheres -> number from 1 on

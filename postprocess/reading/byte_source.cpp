@@ -41,15 +41,15 @@ class MemoryBytes : public ByteSource {
  public:
   explicit MemoryBytes(std::string content) : m_content(std::move(content)) {}
   std::size_t read(char* buffer, std::size_t size) override {
-    const std::size_t got = m_content.copy(buffer, size, m_place);
-    m_place += got;
+    const std::size_t got = m_content.copy(buffer, size, m_offset);
+    m_offset += got;
     return got;
   }
-  std::uint64_t consumed() const override { return m_place; }
+  std::uint64_t consumed() const override { return m_offset; }
 
  private:
   std::string m_content;
-  std::size_t m_place = 0;
+  std::size_t m_offset = 0;
 };
 
 } // namespace
@@ -99,7 +99,7 @@ bool LineReader::refill() {
   try {
     got = m_source->read(m_buffer.data() + m_end, m_buffer.size() - m_end - 1);
   } catch (const InputError& error) {
-    m_broken.emplace(next_place(), "more data", error.what());
+    m_broken.emplace(next_location(), "more data", error.what());
     throw BrokenLine(*m_broken);
   }
   m_end += got;
@@ -108,7 +108,7 @@ bool LineReader::refill() {
   return got > 0;
 }
 
-bool LineReader::take(std::size_t length, std::size_t skipped, std::string_view& line) {
+bool LineReader::deliver(std::size_t length, std::size_t skipped, std::string_view& line) {
   ++m_line_number;
   line = without_return({m_buffer.data() + m_begin, length});
   m_begin += length + skipped;
@@ -132,21 +132,21 @@ std::size_t LineReader::append_lines(std::size_t most, std::string_view stop, st
   do {
     const char* const begin = m_buffer.data() + m_begin;
     const char* const end = m_buffer.data() + m_end;
-    const char* place = begin;
+    const char* at = begin;
     const std::size_t lines_before = lines;
     while (lines < most) {
-      const void* found = std::memchr(place, '\n', static_cast<std::size_t>(end - place));
+      const void* found = std::memchr(at, '\n', static_cast<std::size_t>(end - at));
       const char* newline = static_cast<const char*>(found);
       if (!newline)
         break;
-      is_stopped = starts_with({place, static_cast<std::size_t>(newline - place)}, stop);
+      is_stopped = starts_with({at, static_cast<std::size_t>(newline - at)}, stop);
       if (is_stopped)
         break;
-      place = newline + 1;
+      at = newline + 1;
       ++lines;
     }
-    text.append(begin, place);
-    m_begin += static_cast<std::size_t>(place - begin);
+    text.append(begin, at);
+    m_begin += static_cast<std::size_t>(at - begin);
     m_line_number += lines - lines_before;
     is_stopped = is_stopped || lines == most || text.size() > enough;
   } while (!is_stopped && refill_or_leave_to_next());
@@ -161,18 +161,18 @@ bool LineReader::next(std::string_view& line) {
     const void* newline =
         held > searched ? std::memchr(begin + searched, '\n', held - searched) : nullptr;
     if (newline)
-      return take(static_cast<std::size_t>(static_cast<const char*>(newline) - begin), 1, line);
+      return deliver(static_cast<std::size_t>(static_cast<const char*>(newline) - begin), 1, line);
     if (held > longest_line)
-      throw BrokenLine(next_place(), "lines of text",
+      throw BrokenLine(next_location(), "lines of text",
                        fmt::format("a line of more than {} bytes", longest_line));
     searched = held;
     if (!refill())
-      return m_end > m_begin && take(m_end - m_begin, 0, line);
+      return m_end > m_begin && deliver(m_end - m_begin, 0, line);
   }
 }
 
-BrokenLine nul_byte(const FilePlace& place) {
-  return {place, "text", "a NUL byte: these are binary data"};
+BrokenLine nul_byte(const FileLocation& location) {
+  return {location, "text", "a NUL byte: these are binary data"};
 }
 
 } // namespace ellipsoid::post

@@ -14,7 +14,7 @@
 
 namespace ellipsoid::post {
 
-/// A stream of bytes with a known place.
+/// A stream of bytes with a known offset.
 class ByteSource {
  public:
   virtual ~ByteSource() = default;
@@ -72,8 +72,8 @@ class LineReader {
  private:
   bool refill();
   bool refill_or_leave_to_next();
-  FilePlace next_place() const { return {m_name, m_line_number + 1, 0}; }
-  bool take(std::size_t length, std::size_t skipped, std::string_view& line);
+  FileLocation next_location() const { return {m_name, m_line_number + 1, 0}; }
+  bool deliver(std::size_t length, std::size_t skipped, std::string_view& line);
 
   std::unique_ptr<ByteSource> m_source;
   std::string m_name;
@@ -84,6 +84,6 @@ class LineReader {
 };
 
 /// Text that is none.
-BrokenLine nul_byte(const FilePlace& place);
+BrokenLine nul_byte(const FileLocation& location);
 
 } // namespace ellipsoid::post

@@ -31,7 +31,7 @@ NamedColumns::NamedColumns(const Frame& frame, const ColumnNames& names)
 }
 
 /// Number of a column in the frame, or -1.
-std::ptrdiff_t NamedColumns::place_of(const std::string& name) const {
+std::ptrdiff_t NamedColumns::index_of(const std::string& name) const {
   const auto named = m_names.find(name);
   const std::vector<std::string>& there = m_frame.names;
   const auto found =
@@ -40,10 +40,10 @@ std::ptrdiff_t NamedColumns::place_of(const std::string& name) const {
 }
 
 Column NamedColumns::find(const std::string& name) const {
-  const std::ptrdiff_t place = place_of(name);
-  if (place < 0)
+  const std::ptrdiff_t index = index_of(name);
+  if (index < 0)
     return nullptr;
-  const auto k = static_cast<std::size_t>(place);
+  const auto k = static_cast<std::size_t>(index);
   if (!m_frame.is_readable(k))
     throw InputError(m_frame.unreadable[k]);
   return &m_frame.columns[k];
@@ -51,7 +51,7 @@ Column NamedColumns::find(const std::string& name) const {
 
 std::string NamedColumns::fault(const std::vector<std::string>& names) const {
   for (const std::string& name : names) {
-    const std::ptrdiff_t k = place_of(name);
+    const std::ptrdiff_t k = index_of(name);
     if (k >= 0 && !m_frame.is_readable(static_cast<std::size_t>(k)))
       return m_frame.unreadable[static_cast<std::size_t>(k)];
   }

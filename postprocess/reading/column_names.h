@@ -42,7 +42,7 @@ class NamedColumns {
   Column find(const std::string& name) const;
   VectorColumns find(const std::string& x, const std::string& y, const std::string& z) const;
   /// Whether there is a column, whatever it holds.
-  bool has(const std::string& name) const { return place_of(name) >= 0; }
+  bool has(const std::string& name) const { return index_of(name) >= 0; }
   /// The first value of several columns that is no number, as a message; empty where there is none.
   std::string fault(const std::vector<std::string>& names) const;
   /// Whether the user named the column.
@@ -50,7 +50,7 @@ class NamedColumns {
   const Frame& frame() const { return m_frame; }
 
  private:
-  std::ptrdiff_t place_of(const std::string& name) const;
+  std::ptrdiff_t index_of(const std::string& name) const;
 
   const Frame& m_frame;
   const ColumnNames& m_names;

@@ -58,14 +58,14 @@ class Decompressor : public ByteSource {
       : m_source(std::move(source)), m_name(name), m_buffer(block) {}
 
   std::size_t read(char* buffer, std::size_t size) override {
-    Stretch stretch{m_buffer.data() + m_place, m_held - m_place, buffer, size};
+    Stretch stretch{m_buffer.data() + m_offset, m_held - m_offset, buffer, size};
     while (stretch.out_left == size) {
       if (stretch.in_left == 0) {
         m_held = m_source->read(m_buffer.data(), m_buffer.size());
         stretch.in = m_buffer.data();
         stretch.in_left = m_held;
         if (m_held == 0) {
-          m_place = 0;
+          m_offset = 0;
           if (m_is_inside)
             throw broken("unexpected end of file");
           return 0;
@@ -78,7 +78,7 @@ class Decompressor : public ByteSource {
       if (step(stretch) == StreamState::ended)
         m_is_inside = false;
     }
-    m_place = m_held - stretch.in_left;
+    m_offset = m_held - stretch.in_left;
     return size - stretch.out_left;
   }
   std::uint64_t consumed() const override { return m_source->consumed(); }
@@ -95,7 +95,7 @@ class Decompressor : public ByteSource {
   std::unique_ptr<ByteSource> m_source;
   const char* m_name;
   std::vector<char> m_buffer;
-  std::size_t m_place = 0, m_held = 0;
+  std::size_t m_offset = 0, m_held = 0;
   bool m_is_inside = false; ///< a stream that has not ended
 };
 

@@ -17,18 +17,11 @@ int Frame::find(const std::string& name) const {
   return static_cast<int>(k);
 }
 
-int Frame::find_any(const std::vector<std::string>& candidates) const {
-  for (const auto& name : candidates)
-    if (const int k = find(name); k >= 0)
-      return k;
-  return -1;
-}
-
 const std::vector<double>& Frame::required(const std::string& name,
                                            const std::string& purpose) const {
   const int k = find(name);
   if (k < 0)
-    throw unexpected(place, fmt::format("a column \"{}\" ({})", name, purpose),
+    throw unexpected(location, fmt::format("a column \"{}\" ({})", name, purpose),
                      fmt::format("only: {}", fmt::join(names, " ")));
   return columns[static_cast<std::size_t>(k)];
 }

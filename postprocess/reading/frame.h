@@ -22,7 +22,7 @@ struct Box {
 };
 
 struct Frame {
-  FilePlace place;            ///< file, line of the frame's first row, number of the frame
+  FileLocation location;      ///< file, line of the frame's first row, number of the frame
   std::int64_t timestep = 0;  ///< of the run
   std::optional<double> time; ///< where the file states it (s)
   std::string units;          ///< where the file states them ("si", "cgs", ...)
@@ -42,8 +42,6 @@ struct Frame {
   bool is_readable(std::size_t column) const {
     return column >= unreadable.size() || unreadable[column].empty();
   }
-  /// The first of several names that is there, or -1.
-  int find_any(const std::vector<std::string>& candidates) const;
   /// The values of a column that must be there; `purpose` completes the error message.
   const std::vector<double>& required(const std::string& name, const std::string& purpose) const;
 };

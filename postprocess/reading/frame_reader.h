@@ -17,7 +17,7 @@ class FrameReader {
   /// Throws InputError; frames given before stay valid.
   virtual bool next(Frame& frame) = 0;
   /// The same, but the rows may be left as text: what read_rows() would throw for them then takes
-  /// the place of all that is given or thrown later.
+  /// the location of all that is given or thrown later.
   virtual bool next_unread(Frame& frame) { return next(frame); }
   /// Bytes on disk consumed so far.
   virtual std::uint64_t consumed() const = 0;

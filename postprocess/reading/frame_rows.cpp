@@ -31,8 +31,8 @@ void RowReader::set_memory_aside() {
   }
 }
 
-FilePlace RowReader::here() const {
-  return {m_frame.place.file, m_frame.place.line + m_row, m_frame.place.frame};
+FileLocation RowReader::here() const {
+  return {m_frame.location.file, m_frame.location.line + m_row, m_frame.location.frame};
 }
 
 void RowReader::set_unreadable(std::size_t column, std::string_view token) {
@@ -46,27 +46,27 @@ void RowReader::set_unreadable(std::size_t column, std::string_view token) {
 }
 
 /// False when the line has another number of values.
-bool RowReader::take(std::string_view line) {
-  const char* place = line.data();
-  const char* const end = place + line.size();
+bool RowReader::parse(std::string_view line) {
+  const char* at = line.data();
+  const char* const end = at + line.size();
   const auto skip = [&](bool blanks) {
-    while (place < end && is_blank(*place) == blanks)
-      ++place;
+    while (at < end && is_blank(*at) == blanks)
+      ++at;
   };
   for (std::size_t k = 0; k < m_values.size(); ++k) {
     skip(true);
-    if (place == end)
+    if (at == end)
       return false;
-    const char* const token = place;
-    if ((place = read_number(token, end, m_values[k][m_row])))
+    const char* const token = at;
+    if ((at = read_number(token, end, m_values[k][m_row])))
       continue;
-    place = token;
+    at = token;
     skip(false);
     m_values[k][m_row] = 0.0;
-    set_unreadable(k, {token, static_cast<std::size_t>(place - token)});
+    set_unreadable(k, {token, static_cast<std::size_t>(at - token)});
   }
   skip(true);
-  return place == end;
+  return at == end;
 }
 
 /// What is wrong with a row that was not taken.
@@ -84,7 +84,7 @@ InputError RowReader::refused(std::string_view line) const {
 void RowReader::read(std::string_view line) {
   if (m_row == m_held)
     set_memory_aside();
-  if (!take(line))
+  if (!parse(line))
     throw refused(line);
   ++m_row;
 }
@@ -101,7 +101,7 @@ void RowReader::read_lines(std::string_view text) {
   }
 }
 
-void RowReader::finish() {
+void RowReader::drop_missing_rows() {
   for (auto& column : m_frame.columns)
     column.resize(std::min(column.size(), m_row));
 }
@@ -111,7 +111,7 @@ void read_rows(Frame& frame) {
     return;
   RowReader reader(frame);
   reader.read_lines(frame.unread);
-  reader.finish();
+  reader.drop_missing_rows();
   frame.unread.clear();
 }
 

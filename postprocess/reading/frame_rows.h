@@ -17,7 +17,7 @@ namespace ellipsoid::post {
 /// unreadable, see Frame.
 class RowReader {
  public:
-  /// @param[in,out] frame place (of its first row), rows and names are set; outlives the reader
+  /// @param[in,out] frame location (of its first row), rows and names are set; outlives the reader
   explicit RowReader(Frame& frame);
 
   /// @param[in] line without its end; the byte behind it is readable and no part of a number
@@ -25,13 +25,13 @@ class RowReader {
   /// Whole lines, their ends included.
   void read_lines(std::string_view text);
   /// To be called after the last row.
-  void finish();
+  void drop_missing_rows();
 
  private:
   void set_memory_aside();
-  bool take(std::string_view line);
+  bool parse(std::string_view line);
   void set_unreadable(std::size_t column, std::string_view token);
-  FilePlace here() const;
+  FileLocation here() const;
   InputError refused(std::string_view line) const;
 
   Frame& m_frame;

@@ -77,10 +77,10 @@ void require_one_motion(const Particle& body, const Particle& sphere, const Fram
 }
 
 /// Puts the spheres of a body side by side that the box has taken apart: each next one is the image
-/// that is nearest to one of those that have their place.
+/// that is nearest to one of those whose position is known.
 void put_together(Sphere* begin, const Sphere* end, const PeriodicCell& cell) {
   const auto count = static_cast<std::size_t>(end - begin);
-  std::vector<Vector3> ways(count); // from the nearest sphere with a place
+  std::vector<Vector3> ways(count); // from the nearest sphere whose position is known
   std::vector<double> distances(count, std::numeric_limits<double>::infinity());
   std::vector<bool> has_place(count, false);
   for (std::size_t last = 0, placed = 1; placed < count; ++placed) {
@@ -131,7 +131,7 @@ class BodyMaker {
     body.velocity = velocity; // of the middle of the centres: motion of a rigid body is linear
     if (!is_symmetric(first, first + rows.size(), body.centre))
       ++m_set.asymmetric_bodies;
-    take_id(body, body_number);
+    set_id(body, body_number);
     m_set.particles.push_back(body);
   }
 
@@ -144,7 +144,7 @@ class BodyMaker {
     return s.x;
   }
 
-  void take_id(Particle& body, std::int64_t body_number) {
+  void set_id(Particle& body, std::int64_t body_number) {
     if (body_number > 0)
       body.id = body_number;
     if (!m_ids.insert(body.id).second)

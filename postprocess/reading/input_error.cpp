@@ -5,19 +5,19 @@
 
 namespace ellipsoid::post {
 
-InputError unexpected(const FilePlace& place, const std::string& expected,
+InputError unexpected(const FileLocation& location, const std::string& expected,
                       const std::string& found) {
-  std::string text = place.file + ":";
-  if (place.line > 0)
-    text += fmt::format("{}:", place.line);
-  if (place.frame > 0)
-    text += fmt::format(" frame {}:", place.frame);
+  std::string text = location.file + ":";
+  if (location.line > 0)
+    text += fmt::format("{}:", location.line);
+  if (location.frame > 0)
+    text += fmt::format(" frame {}:", location.frame);
   return InputError(fmt::format("{} expected {}, found {}", text, expected, found));
 }
 
-BrokenLine::BrokenLine(const FilePlace& where, const std::string& what_expected,
+BrokenLine::BrokenLine(const FileLocation& where, const std::string& what_expected,
                        const std::string& what_found)
-    : InputError(unexpected(where, what_expected, what_found)), place(where),
+    : InputError(unexpected(where, what_expected, what_found)), location(where),
       expected(what_expected), found(what_found) {}
 
 std::string quoted(const std::string& text) {

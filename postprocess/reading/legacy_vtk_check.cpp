@@ -35,7 +35,7 @@ class LegacyFile {
       return; // VTK says what is wrong with it
     line();   // title
     m_is_binary = line() == "BINARY";
-    while (m_place < m_text.size())
+    while (m_position < m_text.size())
       section(line());
     if (m_text.back() != '\n')
       throw cut("the end of the last line");
@@ -51,14 +51,14 @@ class LegacyFile {
         fmt::format("{}: expected {}, found the end of the file: it is cut off", m_path, expected));
   }
   std::string line() {
-    const std::size_t end = std::min(m_text.find('\n', m_place), m_text.size());
-    std::string text = m_text.substr(m_place, end - m_place);
-    m_place = std::min(end + 1, m_text.size());
+    const std::size_t end = std::min(m_text.find('\n', m_position), m_text.size());
+    std::string text = m_text.substr(m_position, end - m_position);
+    m_position = std::min(end + 1, m_text.size());
     while (!text.empty() && (is_blank(text.back()) || text.back() == '\r'))
       text.pop_back();
     return text;
   }
-  /// The whole number at a place of a header, 0 where there is none.
+  /// The whole number at a position of a header, 0 where there is none.
   static std::size_t count(const std::vector<std::string>& words, std::size_t k) {
     std::size_t value = 0;
     if (k < words.size())
@@ -68,21 +68,21 @@ class LegacyFile {
   /// Steps over `values` values.
   void skip(std::size_t values, const std::string& type, const std::string& what) {
     if (m_is_binary) {
-      const std::size_t left = m_text.size() - m_place, size = bytes_of(type);
+      const std::size_t left = m_text.size() - m_position, size = bytes_of(type);
       if (size == 0 || values > left / size)
         throw cut(fmt::format("{} values of {}", values, what));
-      m_place += values * size;
-      if (m_place < m_text.size() && m_text[m_place] == '\n')
-        ++m_place;
+      m_position += values * size;
+      if (m_position < m_text.size() && m_text[m_position] == '\n')
+        ++m_position;
       return;
     }
     for (std::size_t k = 0; k < values; ++k) {
-      m_place = m_text.find_first_not_of(" \t\r\n", m_place);
-      if (m_place == m_text.npos)
+      m_position = m_text.find_first_not_of(" \t\r\n", m_position);
+      if (m_position == m_text.npos)
         throw cut(fmt::format("{} values of {}, not {}", values, what, k));
-      m_place = std::min(m_text.find_first_of(" \t\r\n", m_place), m_text.size());
+      m_position = std::min(m_text.find_first_of(" \t\r\n", m_position), m_text.size());
     }
-    if (m_place < m_text.size())
+    if (m_position < m_text.size())
       line(); // what is left of the last line
   }
   void section(const std::string& header) {
@@ -106,7 +106,7 @@ class LegacyFile {
     }
   }
   void skip_metadata() {
-    while (m_place < m_text.size())
+    while (m_position < m_text.size())
       if (line().empty())
         return;
     throw cut("an empty line behind METADATA");
@@ -127,7 +127,7 @@ class LegacyFile {
                key == "TRIANGLE_STRIPS") {
       m_offsets = count(words, 1);
       m_connections = count(words, 2);
-      if (m_text.compare(m_place, 7, "OFFSETS") != 0) // before version 5
+      if (m_text.compare(m_position, 7, "OFFSETS") != 0) // before version 5
         skip(m_connections, "int", key);
     } else {
       return false;
@@ -139,7 +139,7 @@ class LegacyFile {
     const std::string& key = words[0];
     const std::size_t width = key == "VECTORS" || key == "NORMALS" ? 3 : key == "TENSORS" ? 9 : 1;
     if (key == "SCALARS") {
-      if (m_text.compare(m_place, 12, "LOOKUP_TABLE") == 0)
+      if (m_text.compare(m_position, 12, "LOOKUP_TABLE") == 0)
         line();
       skip(m_tuples * std::max<std::size_t>(1, count(words, 3)), type_at(words, 2), words[1]);
     } else if (key == "TEXTURE_COORDINATES") {
@@ -164,7 +164,7 @@ class LegacyFile {
   }
 
   std::string m_path, m_text;
-  std::size_t m_place = 0, m_points = 0, m_tuples = 0, m_offsets = 0, m_connections = 0;
+  std::size_t m_position = 0, m_points = 0, m_tuples = 0, m_offsets = 0, m_connections = 0;
   std::size_t m_arrays = 0; ///< of the field that are still to come
   bool m_is_binary = false, m_has_data = false;
 };

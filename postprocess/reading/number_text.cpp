@@ -56,13 +56,13 @@ struct Decimal {
   bool is_negative = false;
 };
 
-unsigned digit_at(const char* place) { return static_cast<unsigned char>(*place) - unsigned{'0'}; }
+unsigned digit_at(const char* at) { return static_cast<unsigned char>(*at) - unsigned{'0'}; }
 
 /// Eight characters as one number, the first one lowest; digits as their values.
-std::uint64_t eight_characters(const char* place) {
+std::uint64_t eight_characters(const char* at) {
   std::uint64_t bytes = 0;
   for (unsigned k = 0; k < 8; ++k)
-    bytes |= std::uint64_t{static_cast<unsigned char>(place[k])} << (8 * k); // one load
+    bytes |= std::uint64_t{static_cast<unsigned char>(at[k])} << (8 * k); // one load
   return bytes ^ 0x3030303030303030;
 }
 
@@ -81,39 +81,39 @@ std::uint64_t value_of(std::uint64_t digits) {
 }
 
 /// Takes a run of digits, usually a short one.
-inline const char* take_digits(const char* place, std::uint64_t& digits) {
-  for (unsigned digit = digit_at(place); digit < 10; digit = digit_at(++place))
+inline const char* read_digits(const char* at, std::uint64_t& digits) {
+  for (unsigned digit = digit_at(at); digit < 10; digit = digit_at(++at))
     digits = 10 * digits + digit;
-  return place;
+  return at;
 }
 
 /// Takes a run of digits, usually a long one.
-inline const char* take_many_digits(const char* place, const char* end, std::uint64_t& digits) {
+inline const char* read_many_digits(const char* at, const char* end, std::uint64_t& digits) {
   static constexpr std::uint64_t powers[] = {1,      10,      100,      1000,     10000,
                                              100000, 1000000, 10000000, 100000000};
-  while (end - place >= 8) {
-    const std::uint64_t characters = eight_characters(place);
+  while (end - at >= 8) {
+    const std::uint64_t characters = eight_characters(at);
     const unsigned count = leading_digits(characters);
     // moved up: what is no digit is gone, zeros come in front
     const unsigned half = 32 - 4 * count;
     digits = powers[count] * digits + value_of(characters << half << half);
-    place += count;
+    at += count;
     if (count < 8)
-      return place;
+      return at;
   }
-  return take_digits(place, digits);
+  return read_digits(at, digits);
 }
 
 /// Takes "e-05" and the like; leaves a text that is none where it stands.
-const char* take_exponent(const char* place, int& exponent) {
-  const char* digits_begin = place + 1;
+const char* read_exponent(const char* at, int& exponent) {
+  const char* digits_begin = at + 1;
   const bool is_negative = *digits_begin == '-';
   if (is_negative || *digits_begin == '+')
     ++digits_begin;
   std::uint64_t written = 0;
-  const char* end = take_digits(digits_begin, written);
+  const char* end = read_digits(digits_begin, written);
   if (end == digits_begin || end > digits_begin + 4)
-    return place;
+    return at;
   exponent += is_negative ? -static_cast<int>(written) : static_cast<int>(written);
   return end;
 }
@@ -126,19 +126,19 @@ std::ptrdiff_t significant_digits(const char* begin, std::ptrdiff_t count) {
 }
 
 /// @param[in] begin where the digits begin, behind the sign
-inline const char* take_decimal(const char* begin, const char* end, Decimal& number) {
+inline const char* read_decimal(const char* begin, const char* end, Decimal& number) {
   constexpr std::ptrdiff_t most_digits = 19; // that fit into 64 bits whatever they are
-  const char* place = take_digits(begin, number.digits);
-  std::ptrdiff_t count = place - begin;
-  if (*place == '.') {
-    const char* fraction = ++place;
-    place = take_many_digits(place, end, number.digits);
-    count += place - fraction;
-    number.exponent = -static_cast<int>(place - fraction); // a line is shorter than INT_MAX
+  const char* at = read_digits(begin, number.digits);
+  std::ptrdiff_t count = at - begin;
+  if (*at == '.') {
+    const char* fraction = ++at;
+    at = read_many_digits(at, end, number.digits);
+    count += at - fraction;
+    number.exponent = -static_cast<int>(at - fraction); // a line is shorter than INT_MAX
   }
   number.is_exact =
       count > 0 && (count <= most_digits || significant_digits(begin, count) <= most_digits);
-  return *place == 'e' || *place == 'E' ? take_exponent(place, number.exponent) : place;
+  return *at == 'e' || *at == 'E' ? read_exponent(at, number.exponent) : at;
 }
 
 /// +-digits 10^exponent, digits > 0, by one multiplication of 64 bits by 64 bits; the cut-off power
@@ -190,7 +190,7 @@ const char* read_longer_number(const char* text, const char* end, double& value)
     ++text;
   Decimal number;
   number.is_negative = *text == '-';
-  const char* number_end = take_decimal(text + (number.is_negative ? 1 : 0), end, number);
+  const char* number_end = read_decimal(text + (number.is_negative ? 1 : 0), end, number);
   if ((number_end != end && !is_blank(*number_end)) || !number.is_exact)
     return read_any_number(text, end, value);
   if (number.digits == 0)

@@ -43,9 +43,9 @@ const std::vector<std::string> moment_names = {"inertiax", "inertiay", "inertiaz
 
 InputError bad_value(const Frame& frame, std::size_t row, const std::string& expected,
                      const std::string& found) {
-  FilePlace place = frame.place;
-  place.line += row;
-  return unexpected(place, expected, found);
+  FileLocation location = frame.location;
+  location.line += row;
+  return unexpected(location, expected, found);
 }
 
 std::int64_t whole_number(const Frame& frame, std::size_t row, const char* what, double value) {
@@ -129,8 +129,7 @@ SizeColumns::SizeColumns(const NamedColumns& columns, const ParticleOptions& opt
 std::string SizeColumns::remark() const {
   return m_are_whole_axes && !m_is_scale_given
              ? "sizes beside LAMMPS's names of the orientation are taken as whole axes and "
-               "halved; "
-               "--size-scale 1 takes them as semi-axes, --size-scale 0.5 as whole ones"
+               "halved; --size-scale 1 takes them as semi-axes, --size-scale 0.5 as whole ones"
              : "";
 }
 

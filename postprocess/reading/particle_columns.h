@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// What the columns of a frame say of a particle: place, size, orientation, motion. Values are asked
-// for by row; a column that holds something else than numbers stops those only who need it.
+// What the columns of a frame say of a particle: position, size, orientation, motion. Values are
+// asked for by row; a column that holds something else than numbers stops those only who need it.
 #pragma once
 
 #include "particles.h"

@@ -17,7 +17,7 @@ namespace {
 
 /// LIGGGHTS echoes a line before and after each substitution of a variable: the difference of
 /// two such lines is the variable's value.
-void take_substitution(const std::string& before, const std::string& after, RunLog& log) {
+void record_substitution(const std::string& before, const std::string& after, RunLog& log) {
   const auto begin = before.find("${");
   const auto end = begin == std::string::npos ? begin : before.find('}', begin);
   if (end == std::string::npos)
@@ -86,7 +86,7 @@ class LogLines {
  public:
   explicit LogLines(RunLog& log) : m_log(log) {}
 
-  void take(std::string_view line) {
+  void read(std::string_view line) {
     const std::vector<std::string_view> words = words_of(line);
     if (words.empty())
       return;
@@ -95,14 +95,14 @@ class LogLines {
     } else if (words[0] == "Loop") {
       m_is_thermo = false;
     } else if (m_is_thermo) {
-      take_step(words[0]);
+      read_step(words[0]);
     } else {
-      take_command(words);
+      read_command(words);
     }
   }
 
  private:
-  void take_step(std::string_view word) {
+  void read_step(std::string_view word) {
     const auto step = whole_token<std::int64_t>(word);
     if (!step)
       return;
@@ -111,7 +111,7 @@ class LogLines {
       m_log.wanted_step = *step + *m_steps; // the first line: where the run begins
     m_steps.reset();
   }
-  void take_command(const std::vector<std::string_view>& words) {
+  void read_command(const std::vector<std::string_view>& words) {
     if (words[0] == "timestep" && words.size() > 1) {
       if (const auto value = whole_token<double>(words[1]))
         m_log.time_step = value;
@@ -151,8 +151,8 @@ RunLog read_run_log(const std::string& path) {
     const std::string line(view);
     if (log.version.empty() && line.find("LIGGGHTS") != std::string::npos)
       log.version = line;
-    take_substitution(before, line, log);
-    meanings.take(line);
+    record_substitution(before, line, log);
+    meanings.read(line);
     double seconds = 0.0;
     int ranks = 0;
     if (std::sscanf(line.c_str(), "Loop time of %lf on %d procs", &seconds, &ranks) == 2) {

@@ -86,8 +86,8 @@ void read_command(const Words& words, Found& found) {
   if (words[3].rfind("wall/gran", 0) == 0)
     for (const unsigned axis : {0u, 1u, 2u}) {
       const std::string letter(1, "xyz"[axis]);
-      if (const auto place = numbers_after(words, letter + "plane", 1); !place.empty())
-        found.planes[words[1]] = {axis, place[0]};
+      if (const auto position = numbers_after(words, letter + "plane", 1); !position.empty())
+        found.planes[words[1]] = {axis, position[0]};
       if (const auto c = numbers_after(words, letter + "cylinder", 3); !c.empty())
         found.cylinders[words[1]] = {axis, c[0], {c[1], c[2]}};
     }

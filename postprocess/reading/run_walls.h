@@ -9,10 +9,10 @@
 
 namespace ellipsoid::post {
 
-/// A plane wall of a run: all points whose coordinate `axis` is `place`.
+/// A plane wall of a run: all points whose coordinate `axis` is `position`.
 struct PrimitivePlane {
   unsigned axis = 0;
-  double place = 0.0; ///< (length)
+  double position = 0.0; ///< (length)
 };
 
 /// A cylinder wall of a run about an axis along x, y or z, of infinite length.

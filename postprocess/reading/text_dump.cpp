@@ -41,12 +41,14 @@ TextDumpReader::TextDumpReader(std::unique_ptr<ByteSource> source, const std::st
 
 TextDumpReader::TextDumpReader(const std::string& path) : TextDumpReader(open_bytes(path), path) {}
 
-FilePlace TextDumpReader::here() const { return {m_lines.name(), m_lines.line_number(), m_frame}; }
+FileLocation TextDumpReader::here() const {
+  return {m_lines.name(), m_lines.line_number(), m_frame};
+}
 
 InputError TextDumpReader::cut_off(const std::string& expected) const {
-  FilePlace place = here();
-  ++place.line;
-  return unexpected(place, expected, "the end of the file (the last frame is cut off)");
+  FileLocation location = here();
+  ++location.line;
+  return unexpected(location, expected, "the end of the file (the last frame is cut off)");
 }
 
 /// A line that cannot be read is one of the frame.
@@ -54,9 +56,9 @@ bool TextDumpReader::next_line(std::string_view& line) {
   try {
     return m_lines.next(line);
   } catch (const BrokenLine& broken) {
-    FilePlace place = broken.place;
-    place.frame = m_frame;
-    throw unexpected(place, broken.expected, broken.found);
+    FileLocation location = broken.location;
+    location.frame = m_frame;
+    throw unexpected(location, broken.expected, broken.found);
   }
 }
 
@@ -193,7 +195,7 @@ void TextDumpReader::read_header(Frame& frame) {
 
 /// Takes the rows as text; those of a frame that ends otherwise than with a last whole line, or is
 /// very large, are read here.
-void TextDumpReader::take_rows(Frame& frame) {
+void TextDumpReader::load_rows(Frame& frame) {
   frame.unread.clear();
   const std::size_t taken = m_lines.append_lines(frame.rows, row_stop, most_text, frame.unread);
   if (taken == frame.rows && taken > 0)
@@ -210,7 +212,7 @@ void TextDumpReader::take_rows(Frame& frame) {
     }
     reader.read(line);
   }
-  reader.finish();
+  reader.drop_missing_rows();
 }
 
 /// From a frame's first line to "ITEM: TIMESTEP"; units and time may stand before it.
@@ -240,10 +242,10 @@ bool TextDumpReader::next_unread(Frame& frame) {
       return false;
   } while (without_blanks(line).empty());
   read_preamble(frame, line);
-  frame.place = here();
+  frame.location = here();
   read_header(frame);
-  frame.place.line = m_lines.line_number() + 1;
-  take_rows(frame);
+  frame.location.line = m_lines.line_number() + 1;
+  load_rows(frame);
   return true;
 }
 

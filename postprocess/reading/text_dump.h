@@ -31,13 +31,13 @@ class TextDumpReader : public FrameReader {
   void read_preamble(Frame& frame, std::string_view line);
   bool read_section(Frame& frame, std::string_view title);
   void read_box(Frame& frame, std::string_view title);
-  void take_rows(Frame& frame);
+  void load_rows(Frame& frame);
   InputError cut_off(const std::string& expected) const;
   bool next_line(std::string_view& line);
   std::string_view line_of(const char* expected);
   double number(std::string_view token, const char* expected) const;
   std::int64_t integer(std::string_view token, const char* expected) const;
-  FilePlace here() const;
+  FileLocation here() const;
 
   LineReader m_lines;
   std::size_t m_frame = 0;

@@ -137,7 +137,7 @@ void add_column(Frame& frame, const std::string& name, std::vector<double> value
     if (!std::isfinite(values[row]) && frame.unreadable.back().empty())
       frame.unreadable.back() =
           fmt::format("{}: array \"{}\", point {}: expected a finite number, found {}",
-                      frame.place.file, name, row, values[row]);
+                      frame.location.file, name, row, values[row]);
   frame.columns.push_back(std::move(values));
 }
 
@@ -159,8 +159,8 @@ void add_quaternions(Frame& frame, vtkDataArray& array) {
 
 void add_array(Frame& frame, vtkDataArray& array, const std::string& name) {
   if (static_cast<std::size_t>(array.GetNumberOfTuples()) != frame.rows)
-    throw InputError(fmt::format("{}: array \"{}\": expected {} values, found {}", frame.place.file,
-                                 name, frame.rows, array.GetNumberOfTuples()));
+    throw InputError(fmt::format("{}: array \"{}\": expected {} values, found {}",
+                                 frame.location.file, name, frame.rows, array.GetNumberOfTuples()));
   const int components = array.GetNumberOfComponents();
   if (name == "TENSOR" && components == 9) {
     add_quaternions(frame, array);
@@ -189,7 +189,7 @@ bool VtkDumpReader::next(Frame& frame) {
     return false;
   m_is_done = true;
   frame = Frame();
-  frame.place = {m_path, 1, 1};
+  frame.location = {m_path, 1, 1};
   frame.timestep = step_in(m_path);
   frame.label = "ATOMS";
   const ListenToVtk listening;

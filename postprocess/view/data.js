@@ -12,7 +12,7 @@ async function unpacked(element_id) {
 /// Reads numbers one after the other; every column begins at a multiple of four bytes.
 class ColumnReader {
   constructor(buffer) { this.buffer = buffer; this.offset = 0; }
-  take(Type, count) {
+  read(Type, count) {
     const column = new Type(this.buffer, this.offset, count);
     this.offset += 4 * Math.ceil(count * Type.BYTES_PER_ELEMENT / 4);
     return column;
@@ -23,9 +23,9 @@ class ColumnReader {
 async function read_bodies() {
   const reader = new ColumnReader(await unpacked("bodies"));
   const n = header.bodies;
-  return { low: reader.take(Uint32Array, n), high: reader.take(Uint32Array, n),
-           a: reader.take(Float32Array, n), b: reader.take(Float32Array, n), c: reader.take(Float32Array, n),
-           template: reader.take(Uint32Array, n) };
+  return { low: reader.read(Uint32Array, n), high: reader.read(Uint32Array, n),
+           a: reader.read(Float32Array, n), b: reader.read(Float32Array, n), c: reader.read(Float32Array, n),
+           template: reader.read(Uint32Array, n) };
 }
 
 const quaternion_steps = 32767; // of each of the three smaller parts, and 2 bits that name the largest
@@ -48,14 +48,14 @@ function unpack_quaternion(p, q, r, out, at) {
 async function read_frame(number) {
   const about = header.frames[number], n = about.count;
   const reader = new ColumnReader(await unpacked("frame-" + number));
-  const frame = { number, count: n, body: reader.take(Uint32Array, n), position: [], columns: [] };
+  const frame = { number, count: n, body: reader.read(Uint32Array, n), position: [], columns: [] };
   const Whole = header.position.bytes === 2 ? Uint16Array : Uint32Array;
-  for (let k = 0; k < 3; ++k) frame.position.push(reader.take(Whole, n));
-  frame.turn = [0, 1, 2].map(() => reader.take(Uint16Array, n));
-  for (let k = 0; k < header.columns.length; ++k) frame.columns.push(reader.take(Uint16Array, n));
+  for (let k = 0; k < 3; ++k) frame.position.push(reader.read(Whole, n));
+  frame.turn = [0, 1, 2].map(() => reader.read(Uint16Array, n));
+  for (let k = 0; k < header.columns.length; ++k) frame.columns.push(reader.read(Uint16Array, n));
   const m = about.contacts;
-  frame.contacts = { count: m, i: reader.take(Uint32Array, m), j: reader.take(Uint32Array, m),
-                     force: reader.take(Float32Array, m), overlap: reader.take(Float32Array, m) };
+  frame.contacts = { count: m, i: reader.read(Uint32Array, m), j: reader.read(Uint32Array, m),
+                     force: reader.read(Float32Array, m), overlap: reader.read(Float32Array, m) };
   return frame;
 }
 

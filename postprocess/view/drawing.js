@@ -31,12 +31,12 @@ class Drawing {
     }
     gl.linkProgram(program);
     if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
-    const places = {};
+    const uniforms = {};
     for (let k = 0; k < gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); ++k) {
       const name = gl.getActiveUniform(program, k).name;
-      places[name] = gl.getUniformLocation(program, name);
+      uniforms[name] = gl.getUniformLocation(program, name);
     }
-    return { program, places };
+    return { program, uniforms };
   }
 
   data_texture() {
@@ -124,36 +124,36 @@ class Drawing {
     }
   }
 
-  use({ program, places }, camera) {
+  use({ program, uniforms }, camera) {
     const gl = this.gl;
     gl.useProgram(program);
-    gl.uniformMatrix4fv(places.projection, false, camera.projection(this.canvas.width / this.canvas.height));
-    gl.uniformMatrix3fv(places.turn, false, matrix_of(camera.turn));
-    gl.uniform3fv(places.target, camera.target);
-    gl.uniform1f(places.distance_, camera.distance);
-    return places;
+    gl.uniformMatrix4fv(uniforms.projection, false, camera.projection(this.canvas.width / this.canvas.height));
+    gl.uniformMatrix3fv(uniforms.turn, false, matrix_of(camera.turn));
+    gl.uniform3fv(uniforms.target, camera.target);
+    gl.uniform1f(uniforms.distance_, camera.distance);
+    return uniforms;
   }
 
   draw_bodies(camera, shown, picking) {
-    const gl = this.gl, places = this.use(this.bodies_program, camera);
-    [[this.bodies, places.bodies], [this.spheres, places.spheres], [this.colours, places.colours]].forEach(
-        ([texture, place], unit) => {
+    const gl = this.gl, uniforms = this.use(this.bodies_program, camera);
+    [[this.bodies, uniforms.bodies], [this.spheres, uniforms.spheres], [this.colours, uniforms.colours]].forEach(
+        ([texture, uniform], unit) => {
           gl.activeTexture(gl.TEXTURE0 + unit);
           gl.bindTexture(gl.TEXTURE_2D, texture);
-          gl.uniform1i(place, unit);
+          gl.uniform1i(uniform, unit);
         });
-    gl.uniform3fv(places.cut_low, shown.cut_low);
-    gl.uniform3fv(places.cut_high, shown.cut_high);
-    gl.uniform2fv(places.colour_range, shown.colour_range);
-    gl.uniform1i(places.by_kind, shown.by_kind ? 1 : 0);
-    gl.uniform1i(places.picking, picking ? 1 : 0);
-    gl.uniform1ui(places.selected, shown.selected + 1);
+    gl.uniform3fv(uniforms.cut_low, shown.cut_low);
+    gl.uniform3fv(uniforms.cut_high, shown.cut_high);
+    gl.uniform2fv(uniforms.colour_range, shown.colour_range);
+    gl.uniform1i(uniforms.by_kind, shown.by_kind ? 1 : 0);
+    gl.uniform1i(uniforms.picking, picking ? 1 : 0);
+    gl.uniform1ui(uniforms.selected, shown.selected + 1);
     for (const group of this.groups) {
-      gl.uniform1i(places.sphere_first, group.sphere_first);
-      gl.uniform1i(places.sphere_count, group.sphere_count);
+      gl.uniform1i(uniforms.sphere_first, group.sphere_first);
+      gl.uniform1i(uniforms.sphere_count, group.sphere_count);
       gl.bindVertexArray(group.array);
       for (const shift of shown.shifts) {
-        gl.uniform3fv(places.shift, shift);
+        gl.uniform3fv(uniforms.shift, shift);
         gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, group.members.length * Math.max(1, group.sphere_count));
       }
     }
@@ -169,16 +169,16 @@ class Drawing {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     if (shown.particles) this.draw_bodies(camera, shown, false);
     if (shown.box && this.lines) {
-      const places = this.use(this.plain_program, camera);
-      gl.uniform4fv(places.paint, [...shown.ink, 1]);
-      gl.uniform1i(places.shaded, 0);
+      const uniforms = this.use(this.plain_program, camera);
+      gl.uniform4fv(uniforms.paint, [...shown.ink, 1]);
+      gl.uniform1i(uniforms.shaded, 0);
       gl.bindVertexArray(this.lines.array);
       gl.drawArrays(gl.LINES, 0, this.lines.count);
     }
     if (shown.chains && this.chains) {
-      const places = this.use(this.chain_program, camera);
-      gl.uniform4fv(places.paint, shown.chain_paint);
-      gl.uniform1i(places.shaded, 0);
+      const uniforms = this.use(this.chain_program, camera);
+      gl.uniform4fv(uniforms.paint, shown.chain_paint);
+      gl.uniform1i(uniforms.shaded, 0);
       gl.bindVertexArray(this.chains.array);
       gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, this.chains.count);
     }
@@ -187,13 +187,13 @@ class Drawing {
   }
 
   draw_surfaces(camera) {
-    const gl = this.gl, places = this.use(this.plain_program, camera);
+    const gl = this.gl, uniforms = this.use(this.plain_program, camera);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
     gl.depthMask(false);
-    gl.uniform1i(places.shaded, 1);
+    gl.uniform1i(uniforms.shaded, 1);
     for (const surface of this.surfaces) {
-      gl.uniform4fv(places.paint, surface.paint);
+      gl.uniform4fv(uniforms.paint, surface.paint);
       gl.bindVertexArray(surface.array);
       gl.drawArrays(gl.TRIANGLES, 0, surface.count);
     }
@@ -207,10 +207,10 @@ class Drawing {
     if (!this.picture || this.picture.width !== width || this.picture.height !== height) {
       const frame = gl.createFramebuffer(), colour = gl.createRenderbuffer(), depth = gl.createRenderbuffer();
       gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
-      for (const [buffer, format, place] of [[colour, gl.RGBA8, gl.COLOR_ATTACHMENT0], [depth, gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]]) {
+      for (const [buffer, format, attachment] of [[colour, gl.RGBA8, gl.COLOR_ATTACHMENT0], [depth, gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]]) {
         gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
         gl.renderbufferStorage(gl.RENDERBUFFER, format, width, height);
-        gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer);
+        gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, buffer);
       }
       if (this.picture) {
         gl.deleteFramebuffer(this.picture.frame);

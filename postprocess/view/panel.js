@@ -261,7 +261,7 @@ class Page {
   /// Ends of what is not cut off, in units of the scene.
   set_cuts() {
     const { lower, upper } = header.bounds;
-    const at = (end) => this.scene.place(lower.map((low, k) => {
+    const at = (end) => this.scene.scaled(lower.map((low, k) => {
       const share = this.cuts[k][end];
       return share === end ? (end ? Infinity : -Infinity) : low + share * (upper[k] - low);
     })).map((x) => Math.max(-1e6, Math.min(1e6, x)));
@@ -359,7 +359,7 @@ class Page {
 
   /// Where a point of space (in the file's unit) is on the page.
   page_place(point) {
-    const camera = this.camera, at = this.scene.place(point).map((x, k) => x - camera.target[k]);
+    const camera = this.camera, at = this.scene.scaled(point).map((x, k) => x - camera.target[k]);
     const m = matrix_of(camera.turn), v = [0, 1, 2].map((k) => m[k] * at[0] + m[3 + k] * at[1] + m[6 + k] * at[2]);
     v[2] -= camera.distance;
     const canvas = this.drawing.canvas, P = camera.projection(canvas.width / canvas.height), w = camera.perspective ? -v[2] : 1;

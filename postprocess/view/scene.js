@@ -1,4 +1,4 @@
-// From the data to what is drawn: places in units of the scene, colours, force chains, walls.
+// From the data to what is drawn: points in units of the scene, colours, force chains, walls.
 
 const no_value = -1e30; // in place of a colour's value
 
@@ -10,11 +10,11 @@ class Scene {
     this.radius = Math.hypot(...lower.map((low, k) => upper[k] - low)) / 2 || 1;
     const bulk = header.bulk, middle = bulk.lower.map((low, k) => (low + bulk.upper[k]) / 2);
     const reach = Math.hypot(...bulk.lower.map((low, k) => bulk.upper[k] - low)) / 2 || this.radius;
-    this.whole_view = { target: this.place(middle), height: 1.08 * reach / this.radius }; // strays left out
+    this.whole_view = { target: this.scaled(middle), height: 1.08 * reach / this.radius }; // strays left out
   }
 
-  /// A place in the file's unit, in units of the scene.
-  place(point) { return point.map((x, k) => (x - this.centre[k]) / this.radius); }
+  /// A point in the file's unit, in units of the scene.
+  scaled(point) { return point.map((x, k) => (x - this.centre[k]) / this.radius); }
 
   sphere_texels() {
     const texels = [];
@@ -66,7 +66,7 @@ class Scene {
   /// each of the particles to the image of the other one.
   chains(frame) {
     const { contacts } = frame, out = [], largest = header.largest_force || 1, shifts = this.image_shifts(frame);
-    const centre = (p) => this.place([0, 1, 2].map((k) => coordinate(frame, k, p)));
+    const centre = (p) => this.scaled([0, 1, 2].map((k) => coordinate(frame, k, p)));
     const length = (from, to, shift) => Math.hypot(...from.map((x, k) => to[k] + shift[k] - x));
     for (let c = 0; c < contacts.count; ++c) {
       const from = centre(contacts.i[c]), to = centre(contacts.j[c]);
@@ -81,7 +81,7 @@ class Scene {
   /// The box of a frame as lines; with tilts a prism.
   box_lines(frame) {
     const box = header.frames[frame.number].box, out = [];
-    const corner = (x, y, z) => this.place([0, 1, 2].map((k) =>
+    const corner = (x, y, z) => this.scaled([0, 1, 2].map((k) =>
         box.origin[k] + x * box.edges[0][k] + y * box.edges[1][k] + z * box.edges[2][k]));
     if (box)
       for (const [u, v] of [[0, 0], [0, 1], [1, 0], [1, 1]])
@@ -96,7 +96,7 @@ class Scene {
     let u = cross(n, other);
     const length = Math.hypot(...u);
     u = u.map((x) => x / length);
-    const v = cross(n, u), point = this.place(wall.point), height = n.reduce((sum, x, k) => sum + x * point[k], 0);
+    const v = cross(n, u), point = this.scaled(wall.point), height = n.reduce((sum, x, k) => sum + x * point[k], 0);
     const at = (s, t) => n.map((x, k) => height * x + 1.05 * (s * u[k] + t * v[k]));
     return new Float32Array([...at(-1, -1), ...at(1, -1), ...at(1, 1), ...at(-1, -1), ...at(1, 1), ...at(-1, 1)]);
   }
@@ -106,7 +106,7 @@ class Scene {
     const sides = 96, n = wall.axis, other = Math.abs(n[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0];
     const cross = (p, q) => [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
     const u = cross(n, other).map((x, k, all) => x / Math.hypot(...all)), v = cross(n, u);
-    const point = this.place(wall.point), height = n.reduce((sum, x, k) => sum + x * point[k], 0), radius = wall.radius / this.radius;
+    const point = this.scaled(wall.point), height = n.reduce((sum, x, k) => sum + x * point[k], 0), radius = wall.radius / this.radius;
     const at = (side, end) => {
       const angle = 2 * Math.PI * side / sides, c = radius * Math.cos(angle), s = radius * Math.sin(angle);
       return n.map((x, k) => point[k] + (1.05 * end - height) * x + c * u[k] + s * v[k]);

@@ -8,7 +8,7 @@ uniform mat4 projection;
 uniform mat3 turn;      // scene to camera
 uniform vec3 target;    // in the scene
 uniform float distance_;
-vec3 seen(vec3 place) { return turn * (place - target) - vec3(0.0, 0.0, distance_); }
+vec3 seen(vec3 point) { return turn * (point - target) - vec3(0.0, 0.0, distance_); }
 `;
 
 const body_vertex_shader = common_shader + `
@@ -20,7 +20,7 @@ uniform vec3 shift;         // to an image
 flat out vec3 centre, row_x, row_y, row_z;
 flat out float value;
 flat out uint which;
-out vec2 place;
+out vec2 position;
 
 vec4 body_texel(int k) { int n = 3 * int(particle) + k, w = textureSize(bodies, 0).x; return texelFetch(bodies, ivec2(n % w, n / w), 0); }
 
@@ -63,15 +63,15 @@ void main() {
   mat4 rows = transpose(projection);
   float depth = (rows[2].z * centre.z + rows[2].w) / dot(rows[3], vec4(centre, 1.0));
   vec2 xs = ends(rows[0], rows[3], axes), ys = ends(rows[1], rows[3], axes);
-  place = vec2((gl_VertexID & 1) == 0 ? xs.x : xs.y, (gl_VertexID & 2) == 0 ? ys.x : ys.y);
-  gl_Position = vec4(place, clamp(depth, -0.999, 0.999), 1.0);
+  position = vec2((gl_VertexID & 1) == 0 ? xs.x : xs.y, (gl_VertexID & 2) == 0 ? ys.x : ys.y);
+  gl_Position = vec4(position, clamp(depth, -0.999, 0.999), 1.0);
 }`;
 
 const body_fragment_shader = common_shader + `
 flat in vec3 centre, row_x, row_y, row_z;
 flat in float value;
 flat in uint which;
-in vec2 place;
+in vec2 position;
 uniform vec3 cut_low, cut_high;  // in the scene
 uniform vec2 colour_range;
 uniform sampler2D colours;
@@ -90,7 +90,7 @@ vec3 body_colour() {
 
 void main() {
   bool through_eye = projection[3][3] == 0.0;
-  vec2 slope = place / vec2(projection[0][0], projection[1][1]);
+  vec2 slope = position / vec2(projection[0][0], projection[1][1]);
   vec3 start = through_eye ? vec3(0.0) : vec3(slope, 0.0);
   vec3 ray = through_eye ? vec3(slope, -1.0) : vec3(0.0, 0.0, -1.0);
   float nearest = dot(centre - start, ray) / dot(ray, ray);

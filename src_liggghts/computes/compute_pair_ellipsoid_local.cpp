@@ -10,5 +10,5 @@ void ComputePairEllipsoidLocal::init() {
   if (!pair)
     error->compute_error(FLERR, this,
                          "lists contacts of pair_style gran/ellipsoid; use that style");
-  take_callers({pair});
+  set_callers({pair});
 }

@@ -11,5 +11,5 @@ void ComputeWallEllipsoidLocal::init() {
     error->compute_error(FLERR, this,
                          "lists contacts of fix wall/gran/ellipsoid; define such a "
                          "wall before the run");
-  take_callers(walls);
+  set_callers(walls);
 }

@@ -69,7 +69,7 @@ int EllipsoidContactList::width(Property property) const {
   }
 }
 
-void EllipsoidContactList::take_callers(const std::vector<EllipsoidContactCaller*>& callers) {
+void EllipsoidContactList::set_callers(const std::vector<EllipsoidContactCaller*>& callers) {
   if (!atom->tag_enable)
     error->compute_error(FLERR, this, "needs particles with ids; remove 'atom_modify id no'");
   callers_ = callers;

@@ -1,8 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // What computes pair/ellipsoid/local and wall/ellipsoid/local share: a row per contact.
-#ifndef ELLIPSOID_CONTACT_LIST_H
-#define ELLIPSOID_CONTACT_LIST_H
+#pragma once
 
 #include "compute.h"
 #include "ellipsoid_contact_caller.h"
@@ -25,7 +24,7 @@ class EllipsoidContactList : public Compute {
   EllipsoidContactList(class LAMMPS* lmp, int& iarg, int narg, char** arg, ContactPartner partner);
 
   /// The contacts of these, in this order. Called in every init().
-  void take_callers(const std::vector<EllipsoidContactCaller*>& callers);
+  void set_callers(const std::vector<EllipsoidContactCaller*>& callers);
 
  private:
   enum class Property : int; // in the order of the words on the pages
@@ -45,5 +44,3 @@ class EllipsoidContactList : public Compute {
 };
 
 } // namespace LAMMPS_NS
-
-#endif

@@ -1,6 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#ifndef HEAT_CONDUCTION_H_
-#define HEAT_CONDUCTION_H_
+#pragma once
 
 #include "host_heat.h"
 
@@ -14,5 +13,3 @@ void keep_contacts_for_heat(LAMMPS_NS::LAMMPS* lmp);
 bool conduct_heat(LAMMPS_NS::LAMMPS* lmp, const HeatConduction& heat);
 
 } // namespace ellipsoid_host
-
-#endif

@@ -50,7 +50,7 @@ void ellipsoid_host::begin_from_present_box(LAMMPS* lmp) {
   lmp->domain->reset_box();
 }
 
-void ellipsoid_host::pass_restart_step(LAMMPS* lmp) {
+void ellipsoid_host::go_on_as_from_restart_file(LAMMPS* lmp) {
   const auto step = lmp->update->ntimestep;
   if (!has_ellipsoids(lmp) || !lmp->output->is_restart_step(step))
     return;

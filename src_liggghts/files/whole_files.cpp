@@ -87,8 +87,8 @@ std::uint64_t size_of(std::FILE* file) {
   std::abort(); // not reached: the call above ends the program
 }
 
-/// Puts the finished file in its place.
-void take_name(Error* error, const char* kind, std::FILE* file, bool complete) {
+/// A finished file gets its name; one that is not whole is removed and reported.
+void close_and_rename(Error* error, const char* kind, std::FILE* file, bool complete) {
   const Target target = open_files()[file];
   open_files().erase(file);
   complete = std::fflush(file) == 0 && complete && std::ferror(file) == 0;
@@ -171,12 +171,12 @@ void finish_restart_file(Error* error, std::FILE* file, bigint step) {
     std::fseek(file, 0, SEEK_END);
     complete = seal.length == length && std::fwrite(&seal, sizeof seal, 1, file) == 1;
   }
-  take_name(error, "Restart", file, complete);
+  close_and_rename(error, "Restart", file, complete);
 }
 
 void finish_data_file(Error* error, std::FILE* file) {
   const bool complete = std::fprintf(file, "\n%s", data_end) > 0;
-  take_name(error, "Data", file, complete);
+  close_and_rename(error, "Data", file, complete);
 }
 
 void check_restart_file(Error* error, const char* name) {

@@ -2,8 +2,7 @@
 //
 // Restart and data files that are whole or refused: written under a temporary name and renamed when
 // they are complete, and read only if the end that was written is there.
-#ifndef ELLIPSOID_WHOLE_FILES_H
-#define ELLIPSOID_WHOLE_FILES_H
+#pragma once
 
 #include "error.h"
 #include "lmptype.h"
@@ -32,5 +31,3 @@ void check_rank_file(LAMMPS_NS::Error* error, const char* name, LAMMPS_NS::bigin
 void check_data_file(LAMMPS_NS::Error* error, const char* name);
 
 } // namespace ellipsoid_host
-
-#endif

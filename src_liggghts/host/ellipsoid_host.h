@@ -2,8 +2,7 @@
 //
 // What several adapters need of the host: values moved between its arrays and the kernel's plain
 // types, contact forces added to its force records, arguments read strictly.
-#ifndef ELLIPSOID_HOST_H
-#define ELLIPSOID_HOST_H
+#pragma once
 
 #include "contact_interface.h"
 #include "error.h"
@@ -132,5 +131,3 @@ class ArgumentReader {
 };
 
 } // namespace ellipsoid_host
-
-#endif

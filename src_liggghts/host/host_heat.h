@@ -1,6 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#ifndef HOST_HEAT_H_
-#define HOST_HEAT_H_
+#pragma once
 
 namespace LAMMPS_NS {
 class LAMMPS;
@@ -27,5 +26,3 @@ struct HeatConduction {
 void refuse_unknown_area(LAMMPS_NS::LAMMPS* lmp, const HeatConduction& heat);
 
 } // namespace ellipsoid_host
-
-#endif

@@ -1,8 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Calls to the host's meshes, the same for every host.
-#ifndef ELLIPSOID_HOST_MESH_H
-#define ELLIPSOID_HOST_MESH_H
+#pragma once
 
 #include "fix_contact_history_mesh.h"
 #include "fix_mesh_surface.h"
@@ -41,5 +40,3 @@ inline bool weighs_contacts(LAMMPS_NS::FixMeshSurface* mesh) {
 }
 
 } // namespace ellipsoid_host
-
-#endif

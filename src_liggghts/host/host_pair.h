@@ -1,8 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Base class of a granular pair style, the same for every host.
-#ifndef ELLIPSOID_HOST_PAIR_H
-#define ELLIPSOID_HOST_PAIR_H
+#pragma once
 
 #include "contact_models.h"
 #include "force.h"
@@ -85,5 +84,3 @@ inline std::int64_t select_models(int& narg, char**& arg, LAMMPS_NS::LAMMPS* lmp
 }
 
 } // namespace ellipsoid_host
-
-#endif

@@ -2,8 +2,7 @@
 //
 // Which styles of the host do not work with ellipsoids, why, and what to use
 // (doc/what_works_with_what.md lists them beside those that work).
-#ifndef HOST_STYLES_H_
-#define HOST_STYLES_H_
+#pragma once
 
 #include <string>
 
@@ -16,5 +15,3 @@ namespace ellipsoid_host {
 std::string why_unsuited(const std::string& kind, const std::string& style);
 
 } // namespace ellipsoid_host
-
-#endif

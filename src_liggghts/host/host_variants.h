@@ -3,8 +3,7 @@
 // What the hosts that this package is compiled with call differently: LIGGGHTS-PUBLIC (and
 // PICI-LIGGGHTS), or LIGGGHTS-INL. Pair styles: host_pair.h; meshes: host_mesh.h; walls:
 // host_wall.h.
-#ifndef ELLIPSOID_HOST_VARIANTS_H
-#define ELLIPSOID_HOST_VARIANTS_H
+#pragma once
 
 #if __has_include("iloopcallbackcaller.h")
 #define ELLIPSOID_HOST_INL
@@ -30,5 +29,3 @@ template <class Particle> void set_distance_from_borders(Particle& particle) {
 }
 
 } // namespace ellipsoid_host
-
-#endif

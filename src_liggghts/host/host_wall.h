@@ -1,8 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Base class of a granular wall, the same for every host.
-#ifndef ELLIPSOID_HOST_WALL_H
-#define ELLIPSOID_HOST_WALL_H
+#pragma once
 
 #include "atom.h"
 #include "fix_wall_gran.h"
@@ -54,5 +53,3 @@ class HostWall : public LAMMPS_NS::FixWallGran {
 };
 
 } // namespace ellipsoid_host
-
-#endif

@@ -2,8 +2,7 @@
 //
 // The host's arrays of particles as they lie in memory: row behind row. Going there through the
 // host's pointers to rows costs a second access to memory each time.
-#ifndef PARTICLE_ARRAYS_H_
-#define PARTICLE_ARRAYS_H_
+#pragma once
 
 #include "atom.h"
 #include "math/vector3.h"
@@ -43,5 +42,3 @@ struct ParticleArrays {
 };
 
 } // namespace LIGGGHTS
-
-#endif

@@ -1,6 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#ifndef WHOLE_NUMBER_H_
-#define WHOLE_NUMBER_H_
+#pragma once
 
 #include <cerrno>
 #include <cmath>
@@ -30,5 +29,3 @@ inline std::optional<long> whole_integer(const char* token) {
 }
 
 } // namespace ellipsoid_host
-
-#endif

@@ -67,12 +67,12 @@ LawChoice choose_laws(HostModels& models, const ModelSettings& settings) {
   const std::string setting = unknown_setting(settings);
   if (!setting.empty())
     choice.obstacle = "'" + setting + " on' does not run in batches";
-  choice.pass.no_attraction = settings.is_on("limitForce");
-  choice.pass.tangential_damping = settings.is_on("tangential_damping", true);
+  choice.settings.no_attraction = settings.is_on("limitForce");
+  choice.settings.tangential_damping = settings.is_on("tangential_damping", true);
   constexpr double two_sevenths = 0.285714286; // as the host's model hooke has it
-  choice.pass.tangential_stiffness_factor = settings.is_on("ktToKnUser") ? two_sevenths : 1.0;
-  choice.pass.cohesion_lessens_friction = settings.is_on("tangential_reduce");
-  choice.pass.resists_torsion = settings.is_on("torsionTorque");
+  choice.settings.tangential_stiffness_factor = settings.is_on("ktToKnUser") ? two_sevenths : 1.0;
+  choice.settings.cohesion_lessens_friction = settings.is_on("tangential_reduce");
+  choice.settings.resists_torsion = settings.is_on("torsionTorque");
   return choice;
 }
 

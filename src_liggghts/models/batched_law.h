@@ -2,8 +2,7 @@
 //
 // Which of the kernel's batched laws (law/contact_laws.h) compute what the chosen contact models
 // say, and the material tables that they take: those of the host's properties.
-#ifndef BATCHED_LAW_H
-#define BATCHED_LAW_H
+#pragma once
 
 #include "law/contact_laws.h"
 #include "property_registry.h"
@@ -23,7 +22,7 @@ class HostModels;
 
 struct LawChoice {
   ellipsoid::ContactLaws laws;
-  ellipsoid::LawPass pass;
+  ellipsoid::LawSettings settings;
   std::string obstacle; ///< why the models do not run in batches; empty: they do
 };
 
@@ -60,5 +59,3 @@ class LawTables {
 
 } // namespace ContactModels
 } // namespace LIGGGHTS
-
-#endif

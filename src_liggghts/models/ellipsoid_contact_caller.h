@@ -1,6 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#ifndef ELLIPSOID_CONTACT_CALLER_H_
-#define ELLIPSOID_CONTACT_CALLER_H_
+#pragma once
 
 #include "contact_interface.h"
 #include "lmptype.h"
@@ -95,5 +94,3 @@ class EllipsoidContactCaller {
 
 } // namespace ContactModels
 } // namespace LIGGGHTS
-
-#endif

@@ -2,8 +2,7 @@
 //
 // Which of the host's contact models give wrong results for ellipsoids, and why
 // (doc/contact_models.md has the whole table).
-#ifndef ELLIPSOID_MODELS_H
-#define ELLIPSOID_MODELS_H
+#pragma once
 
 #include <string>
 
@@ -68,5 +67,3 @@ inline std::string unsuitable_setting(int count, char** arguments) {
 
 } // namespace ContactModels
 } // namespace LIGGGHTS
-
-#endif

@@ -1,8 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // What the surface models of ellipsoids share.
-#ifndef ELLIPSOID_SURFACE_H_
-#define ELLIPSOID_SURFACE_H_
+#pragma once
 
 #include "contact_models.h"
 
@@ -79,5 +78,3 @@ class EllipsoidSurface : public SurfaceModelBase {
 
 } // namespace ContactModels
 } // namespace LIGGGHTS
-
-#endif

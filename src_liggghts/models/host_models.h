@@ -1,8 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // The contact models of a pair style, as the host has chosen and compiled them.
-#ifndef HOST_MODELS_H_
-#define HOST_MODELS_H_
+#pragma once
 
 #include "contact_models.h"
 #include "settings.h"
@@ -74,5 +73,3 @@ template <typename Model> class HostModelsOf final : public HostModels, protecte
 
 } // namespace ContactModels
 } // namespace LIGGGHTS
-
-#endif

@@ -1,6 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#ifndef KERNEL_NORMAL_MODEL_H_
-#define KERNEL_NORMAL_MODEL_H_
+#pragma once
 
 #include "atom.h"
 #include "contact_models.h"
@@ -79,5 +78,3 @@ template <class Law> class KernelNormalModel : public NormalModelBase {
 
 } // namespace ContactModels
 } // namespace LIGGGHTS
-
-#endif

@@ -1,6 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#ifndef MODEL_SETTINGS_H_
-#define MODEL_SETTINGS_H_
+#pragma once
 
 #include <map>
 #include <string>
@@ -42,5 +41,3 @@ class ModelSettings {
 };
 
 } // namespace LIGGGHTS
-
-#endif

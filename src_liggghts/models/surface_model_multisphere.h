@@ -13,22 +13,11 @@ SURFACE_MODEL(SURFACE_MULTISPHERE,multisphere,41)
 #include "contact_models.h"
 #include "ellipsoid_surface.h"
 #include "multisphere/multisphere_contact.h"
-#include "strict_settings.h"
 #include "surface_model_base.h"
+#include "surface_settings.h"
 
 namespace LIGGGHTS {
 namespace ContactModels {
-
-/// Keyword `multicontact sum|average`.
-class MulticontactSetting : public EnumSetting<ellipsoid::MulticontactRule> {
- public:
-  MulticontactSetting(std::string name, ellipsoid::MulticontactRule)
-      : EnumSetting<ellipsoid::MulticontactRule>(name) {
-    addOption("sum", ellipsoid::MulticontactRule::sum);
-    addOption("average", ellipsoid::MulticontactRule::average);
-    setDefault("sum");
-  }
-};
 
 template <> class SurfaceModel<SURFACE_MULTISPHERE> : public EllipsoidSurface {
  public:
@@ -41,13 +30,8 @@ template <> class SurfaceModel<SURFACE_MULTISPHERE> : public EllipsoidSurface {
                                                   ellipsoid::MulticontactRule::sum);
   }
 
-  /// The callers ask for these two by the only way that the host's classes offer: named integers.
-  inline void postSettings(IContactHistorySetup*, ContactModelBase* cmb) {
-    cmb->add_history_offset("contacts", contacts_);
-    cmb->add_history_offset("multicontact", rule_ == ellipsoid::MulticontactRule::average ? 1 : 0);
-  }
-
  private:
+  // where the host puts what it parsed; who finds the contacts reads it from the command
   int contacts_ = ContactsSetting::standard;
   ellipsoid::MulticontactRule rule_ = ellipsoid::MulticontactRule::sum;
 };

@@ -16,8 +16,8 @@ SURFACE_MODEL(SURFACE_SMOOTH,smooth,40)
 #include "ellipsoid/ellipsoid_contact.h"
 #include "ellipsoid_host.h"
 #include "ellipsoid_surface.h"
-#include "strict_settings.h"
 #include "surface_model_base.h"
+#include "surface_settings.h"
 
 #include <cmath>
 
@@ -32,13 +32,6 @@ template <> class SurfaceModel<SURFACE_SMOOTH> : public EllipsoidSurface {
   inline void registerSettings(Settings& settings) {
     settings.registerOnOff("ellipticalContact", elliptical_, false);
     settings.registerSetting<ContactsSetting>("contacts", contacts_, ContactsSetting::standard);
-  }
-
-  /// The only way that the host's classes offer: named integers. Walls of triangles and the pair
-  /// loop ask for them.
-  inline void postSettings(IContactHistorySetup*, ContactModelBase* cmb) {
-    cmb->add_history_offset("contacts", contacts_);
-    cmb->add_history_offset("ellipticalContact", elliptical_);
   }
 
   inline void surfacesIntersect(SurfacesIntersectData& sidata, ForceData& i_forces,
@@ -57,7 +50,7 @@ template <> class SurfaceModel<SURFACE_SMOOTH> : public EllipsoidSurface {
  private:
   static constexpr int no_partner = -1;
   bool elliptical_ = false;
-  int contacts_ = ContactsSetting::standard;
+  int contacts_ = ContactsSetting::standard; // where the host puts it; walls read it themselves
 
   struct Ellipse {
     double radius_factor; ///< R of the elliptic contact over that of (19)

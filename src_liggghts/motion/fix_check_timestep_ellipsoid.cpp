@@ -26,7 +26,7 @@ using namespace FixConst;
 using ellipsoid_host::vector;
 
 namespace {
-constexpr int default_interval = 1000; // steps between two looks of the fix of make_sure()
+constexpr int default_interval = 1000; // steps between two checks of the fix of make_sure()
 }
 
 FixCheckTimestepEllipsoid::FixCheckTimestepEllipsoid(LAMMPS* lmp, int narg, char** arg)

@@ -46,7 +46,7 @@ class FixNVEEllipsoid : public FixNVE {
   ellipsoid::RotationBatch turns_;
   int turning_[ellipsoid::RotationBatch::capacity]; // particles of the batch
   // One over the principal moments about the body's axes (planar: about z) of all particles that
-  // move; they keep their places until lists are new.
+  // move; they keep their indices until lists are new.
   std::vector<double> inverse_inertia_;
   bool gear_ = false;
   // of `integrator gear`, per atom: started (1) or not (0), then second to fifth derivative of x,

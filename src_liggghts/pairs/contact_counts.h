@@ -1,6 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#ifndef CONTACT_COUNTS_H_
-#define CONTACT_COUNTS_H_
+#pragma once
 
 namespace LIGGGHTS {
 
@@ -21,5 +20,3 @@ struct ContactCounts {
 };
 
 } // namespace LIGGGHTS
-
-#endif

@@ -2,8 +2,7 @@
 //
 // What other commands of the host want to know of each contact of a pair style: forces and their
 // moments for lists, stresses, and sums.
-#ifndef CONTACT_REPORTS_H_
-#define CONTACT_REPORTS_H_
+#pragma once
 
 #include "contact_interface.h"
 #include "pointers.h"
@@ -41,5 +40,3 @@ class ContactReports : private LAMMPS_NS::Pointers {
 };
 
 } // namespace LIGGGHTS
-
-#endif

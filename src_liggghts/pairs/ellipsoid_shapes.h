@@ -3,8 +3,7 @@
 // The ellipsoids of owned and ghost particles as the contact search takes them: A = R diag R^T,
 // made once per particle and time step: all of them together, or only those that are asked for
 // where most particles touch nothing.
-#ifndef ELLIPSOID_SHAPES_H_
-#define ELLIPSOID_SHAPES_H_
+#pragma once
 
 #include "ellipsoid/ellipsoid_contact.h"
 #include "ellipsoid/shape_batch.h"
@@ -69,5 +68,3 @@ class EllipsoidShapes {
 };
 
 } // namespace LIGGGHTS
-
-#endif

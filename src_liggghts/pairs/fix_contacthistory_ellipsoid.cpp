@@ -26,7 +26,7 @@ namespace {
 /// follow: the pair's row of the host, and what is beyond it.
 enum { partner_tag, away_x, away_y, away_z, value_count, first_value };
 
-Vector3 place(const double* coordinates) { return ellipsoid_host::vector(coordinates); }
+Vector3 position(const double* coordinates) { return ellipsoid_host::vector(coordinates); }
 
 std::size_t length_of(const double* contact) {
   return first_value + static_cast<std::size_t>(contact[value_count]);
@@ -122,7 +122,7 @@ void FixContactHistoryEllipsoid::save() {
 void FixContactHistoryEllipsoid::save_contact(int i, int j, const double* row,
                                               const std::vector<double>& more, double sign) {
   Saved& mine = room_for(i);
-  const Vector3 away = place(atom->x[j]) - place(atom->x[i]);
+  const Vector3 away = position(atom->x[j]) - position(atom->x[i]);
   const int values = pair().dnum();
   mine.insert(mine.end(), {static_cast<double>(atom->tag[j]), away.x, away.y, away.z,
                            static_cast<double>(values) + static_cast<double>(more.size())});
@@ -137,13 +137,13 @@ void FixContactHistoryEllipsoid::save_contact(int i, int j, const double* row,
 /// What was saved of i with this image of j, or with the nearest one; null: nothing with any.
 const double* FixContactHistoryEllipsoid::find(int i, int j) const {
   const Saved& mine = saved(i);
-  const Vector3 away = place(atom->x[j]) - place(atom->x[i]);
+  const Vector3 away = position(atom->x[j]) - position(atom->x[i]);
   const double* nearest = nullptr;
   double least = HUGE_VAL;
   for (const double *c = mine.data(), *end = c + mine.size(); c < end; c += length_of(c)) {
     if (static_cast<int>(c[partner_tag]) != atom->tag[j])
       continue;
-    const Vector3 moved = away - place(&c[away_x]);
+    const Vector3 moved = away - position(&c[away_x]);
     if (!nearest || dot(moved, moved) < least) {
       nearest = c;
       least = dot(moved, moved);
@@ -178,7 +178,7 @@ void FixContactHistoryEllipsoid::give_back_pair(std::uint32_t index, int i, int 
   if (!contact)
     return;
   const int values = pair().dnum();
-  const Vector3 moved = place(atom->x[j]) - place(atom->x[i]) - place(&contact[away_x]);
+  const Vector3 moved = position(atom->x[j]) - position(atom->x[i]) - position(&contact[away_x]);
   if (norm(moved) > 0.5 * shortest_period(*domain)) {
     *flag = 0;
     std::fill_n(row, values, 0.0);

@@ -1,6 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#ifndef ELLIPSOID_HAS_LAW_H
-#define ELLIPSOID_HAS_LAW_H
+#pragma once
 
 #include <string>
 
@@ -15,5 +14,3 @@ class HasLaw {
 };
 
 } // namespace ellipsoid_host
-
-#endif

@@ -2,8 +2,7 @@
 //
 // Histories of the pairs that touch: a row of numbers each, taken when a contact begins and given
 // back when it is over. Rows stay where they are.
-#ifndef HISTORY_ROWS_H_
-#define HISTORY_ROWS_H_
+#pragma once
 
 #include <algorithm>
 #include <cstddef>
@@ -14,21 +13,21 @@ namespace LIGGGHTS {
 
 class HistoryRows {
  public:
-  /// No row is taken any more.
+  /// No row is in use any more.
   /// @param[in] length of a row
   void clear(int length) {
     if (length != length_)
       pages_.clear();
     length_ = length;
-    taken_ = 0;
+    used_ = 0;
     free_.clear();
   }
   /// @return the number of a row of zeros, from 1 on
-  int take() {
-    int row = taken_ + 1;
+  int allocate() {
+    int row = used_ + 1;
     if (free_.empty()) {
-      ++taken_;
-      if (static_cast<std::size_t>(taken_) > pages_.size() * rows_of_page)
+      ++used_;
+      if (static_cast<std::size_t>(used_) > pages_.size() * rows_of_page)
         pages_.emplace_back(new double[rows_of_page * static_cast<std::size_t>(length_)]);
     } else {
       row = free_.back();
@@ -37,7 +36,7 @@ class HistoryRows {
     std::fill_n(at(row), length_, 0.0);
     return row;
   }
-  void give_back(int row) { free_.push_back(row); }
+  void free(int row) { free_.push_back(row); }
   double* at(int row) const {
     const auto k = static_cast<std::size_t>(row - 1);
     return &pages_[k / rows_of_page][k % rows_of_page * static_cast<std::size_t>(length_)];
@@ -48,9 +47,7 @@ class HistoryRows {
   static constexpr std::size_t rows_of_page = 1024;
   std::vector<std::unique_ptr<double[]>> pages_;
   std::vector<int> free_;
-  int length_ = 0, taken_ = 0;
+  int length_ = 0, used_ = 0;
 };
 
 } // namespace LIGGGHTS
-
-#endif

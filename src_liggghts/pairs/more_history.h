@@ -1,6 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#ifndef MORE_HISTORY_H_
-#define MORE_HISTORY_H_
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -39,5 +38,3 @@ class MoreHistory {
 };
 
 } // namespace LIGGGHTS
-
-#endif

@@ -7,7 +7,7 @@
 #include "error.h"
 #include "model_settings.h"
 #include "pair_gran_ellipsoid.h"
-#include "strict_settings.h"
+#include "surface_settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,9 +28,8 @@ MultisphereContacts::MultisphereContacts(LAMMPS* lmp, PairGranEllipsoid& pair)
 
 void MultisphereContacts::read_settings(const ModelSettings& settings) {
   slot_values_ = pair_.dnum_pair();
-  slots_ = settings.number("contacts", ContactModels::ContactsSetting::standard);
-  rule_ = settings.value("multicontact", "sum") == "average" ? ellipsoid::MulticontactRule::average
-                                                             : ellipsoid::MulticontactRule::sum;
+  slots_ = ContactModels::ContactsSetting::in(settings);
+  rule_ = ContactModels::MulticontactSetting::in(settings);
   pair_.repeat_history(slots_);
 }
 
@@ -129,7 +128,7 @@ bool MultisphereContacts::search(const NearPair& pair, const Vector3& distance,
 double MultisphereContacts::search_gap(int i, int j, double approach) {
   const double radii = atom->shape[i][1] + atom->shape[j][1];
   const int spheres = std::max(chains_.pose(i).body->count(), chains_.pose(j).body->count());
-  const double steps = std::min(look_ahead, look_ahead_of_chain / spheres);
+  const double steps = std::min(steps_ahead, steps_ahead_of_chain / spheres);
   return std::clamp(clocks().gap_for(steps, i, j, approach), smallest_gap_share * radii,
                     largest_gap_share * radii);
 }

@@ -7,8 +7,7 @@
 // in the host's lists, those that few pairs need beyond in more_history.h. A slot starts with its
 // key: the sum of the two sphere numbers + 1 (0: free) and their difference, which changes sign
 // when the pair is seen from j; the values of the contact models follow.
-#ifndef MULTISPHERE_CONTACTS_H_
-#define MULTISPHERE_CONTACTS_H_
+#pragma once
 
 #include "multisphere/near_spheres.h"
 #include "multisphere_particles.h"
@@ -35,7 +34,7 @@ class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers 
   /// A search finds the spheres that may touch within so many time steps if motions change as
   /// usual; within fewer steps for fine chains, where a gap has the more spheres the wider it is.
   /// It is no nearer nor farther than these shares of both radii of the bodies' middles.
-  static constexpr double look_ahead = 50.0, look_ahead_of_chain = 500.0;
+  static constexpr double steps_ahead = 50.0, steps_ahead_of_chain = 500.0;
   static constexpr int largest_slot = std::numeric_limits<short>::max();
   static constexpr double smallest_gap_share = 1e-3, largest_gap_share = 0.1;
 
@@ -71,5 +70,3 @@ class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers 
 };
 
 } // namespace LIGGGHTS
-
-#endif

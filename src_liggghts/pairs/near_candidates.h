@@ -6,8 +6,7 @@
 // Candidates by true shape are the pairs that are nearer than two margins. They are good until a
 // particle's surface has moved by more than a margin, rotation included: then the lists have to be
 // made anew.
-#ifndef ELLIPSOID_NEAR_CANDIDATES_H
-#define ELLIPSOID_NEAR_CANDIDATES_H
+#pragma once
 
 #include "neighbours/long_bodies.h"
 #include "neighbours/size_grids.h"
@@ -59,5 +58,3 @@ class NearCandidates {
 NearCandidates* near_candidates(LAMMPS_NS::LAMMPS* lmp, int i);
 
 } // namespace ellipsoid_host
-
-#endif

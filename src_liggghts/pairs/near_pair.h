@@ -1,6 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#ifndef NEAR_PAIR_H_
-#define NEAR_PAIR_H_
+#pragma once
 
 #include <cstdint>
 
@@ -25,5 +24,3 @@ struct Contact {
 };
 
 } // namespace LIGGGHTS
-
-#endif

@@ -19,11 +19,11 @@ void NeighbourPairs::recall_rows(LAMMPS_NS::FixContactHistory& kept, const int* 
   active_.clear();
   rows_.clear(history_values_);
   for_each_in_lists([&](const Candidate& pair) {
-    double& number = histories_->firstdouble[pair.i][pair.place];
+    double& number = histories_->firstdouble[pair.i][pair.entry];
     number = 0.0;
     if (!is_flagged(pair))
       return;
-    const int row = rows_.take(), id = tags[pair.j];
+    const int row = rows_.allocate(), id = tags[pair.j];
     number = row;
     for (int partner = 0; partner < kept.n_partner(pair.i); ++partner)
       if (kept.partner(pair.i, partner) == id) {
@@ -40,7 +40,7 @@ void NeighbourPairs::begin_choice(double skin, ellipsoid::MotionClocks& clocks) 
     if (in_rows_ && pair.history && !*pair.flag)
       end_history(pair);
   active_.clear();
-  places_.clear();
+  entries_.clear();
   ends_.assign(clocks.size(), 0);
 }
 

@@ -5,8 +5,7 @@
 // host's lists hold pairs whose bounding spheres are near; most pairs of long or flat particles are
 // far apart all the same. These are left out until a particle has moved by more than its margin
 // (motion_clocks.h), rotation included; then the near pairs are chosen anew from the same lists.
-#ifndef NEIGHBOUR_PAIRS_H_
-#define NEIGHBOUR_PAIRS_H_
+#pragma once
 
 #include "fix_contact_history.h"
 #include "history_rows.h"
@@ -43,13 +42,13 @@ class NeighbourPairs {
   const HistoryRows& rows() const { return rows_; }
   /// The pair, which has no history, gets one: numbers that are 0.
   void begin_history(NearPair& pair) {
-    const int row = rows_.take();
+    const int row = rows_.allocate();
     row_number(pair) = row;
     pair.history = rows_.at(row);
   }
   void end_history(NearPair& pair) {
     double& row = row_number(pair);
-    rows_.give_back(static_cast<int>(row));
+    rows_.free(static_cast<int>(row));
     row = 0.0;
     pair.history = nullptr;
   }
@@ -57,7 +56,7 @@ class NeighbourPairs {
   /// A pair of the lists: the host's numbering.
   struct Candidate {
     int i, j;
-    std::uint32_t place; ///< of j in the list of i
+    std::uint32_t entry; ///< of j in the list of i
   };
 
   /// Chooses the near pairs: no pair is active then, none deferred. All particles get new margins,
@@ -92,26 +91,26 @@ class NeighbourPairs {
     for (int k = 0; k < lists_->inum; ++k) {
       const int i = lists_->ilist[k];
       for (const std::uint32_t end = ends_[static_cast<std::size_t>(i)]; index < end; ++index)
-        visit(index, i, partner(i, places_[index]));
+        visit(index, i, partner(i, entries_[index]));
     }
   }
 
   /// Whether the contact models have a contact, or had one when the lists were made.
   bool is_flagged(const Candidate& candidate) const {
-    return histories_->firstneigh[candidate.i][candidate.place] != 0;
+    return histories_->firstneigh[candidate.i][candidate.entry] != 0;
   }
   /// Null: in rows, and the pair has none.
   double* history(const Candidate& candidate) const {
     double* list = histories_->firstdouble[candidate.i];
     if (!in_rows_)
-      return &list[static_cast<std::size_t>(history_values_) * candidate.place];
-    const int row = static_cast<int>(list[candidate.place]);
+      return &list[static_cast<std::size_t>(history_values_) * candidate.entry];
+    const int row = static_cast<int>(list[candidate.entry]);
     return row == 0 ? nullptr : rows_.at(row);
   }
 
   NearPair pair(std::uint32_t index, int i, int j) const {
-    const Candidate own{i, j, places_[index]};
-    return {index, i, j, false, &histories_->firstneigh[i][own.place], history(own)};
+    const Candidate own{i, j, entries_[index]};
+    return {index, i, j, false, &histories_->firstneigh[i][own.entry], history(own)};
   }
 
   void activate(const NearPair& pair) { active_.push_back(pair); }
@@ -170,22 +169,22 @@ class NeighbourPairs {
   int history_values_ = 0;
   const bool in_rows_;
   HistoryRows rows_;
-  std::vector<std::uint32_t> places_; ///< of the near pairs in the host's lists
-  std::vector<std::uint32_t> ends_;   ///< by i: index after its last near pair
+  std::vector<std::uint32_t> entries_; ///< of the near pairs in the host's lists
+  std::vector<std::uint32_t> ends_;    ///< by i: index after its last near pair
   std::vector<NearPair> active_;
   ellipsoid::DeferredChecks checks_;
 
   double& row_number(const NearPair& pair) const {
     return histories_->firstdouble[pair.i][pair.flag - histories_->firstneigh[pair.i]];
   }
-  int partner(int i, std::uint32_t place) const { return lists_->firstneigh[i][place] & NEIGHMASK; }
+  int partner(int i, std::uint32_t entry) const { return lists_->firstneigh[i][entry] & NEIGHMASK; }
 
   template <class Visit> void for_each_in_lists(const Visit& visit) const {
     for (int k = 0; k < lists_->inum; ++k) {
       const int i = lists_->ilist[k];
       const auto count = static_cast<std::uint32_t>(lists_->numneigh[i]);
-      for (std::uint32_t place = 0; place < count; ++place)
-        visit(Candidate{i, partner(i, place), place});
+      for (std::uint32_t entry = 0; entry < count; ++entry)
+        visit(Candidate{i, partner(i, entry), entry});
     }
   }
 
@@ -198,13 +197,11 @@ class NeighbourPairs {
     choose(candidates, count, keep);
     for (int k = 0; k < count; ++k)
       if (keep[k]) {
-        places_.push_back(candidates[k].place);
+        entries_.push_back(candidates[k].entry);
         ends_[static_cast<std::size_t>(candidates[k].i)] =
-            static_cast<std::uint32_t>(places_.size());
+            static_cast<std::uint32_t>(entries_.size());
       }
   }
 };
 
 } // namespace LIGGGHTS
-
-#endif

@@ -53,17 +53,17 @@ void PairForces::begin_step(bool for_list) {
       batch_.set_parameters_of_all(tables_.parameters(1, 1));
   }
   reports_.begin_step(for_list);
-  SurfacesIntersectData data = pass_data();
+  SurfacesIntersectData data = common_data();
   models_.begin_pass(data);
 }
 
 void PairForces::end_step() {
-  SurfacesIntersectData data = pass_data();
+  SurfacesIntersectData data = common_data();
   models_.end_pass(data);
   reports_.end_step();
 }
 
-SurfacesIntersectData PairForces::pass_data() const {
+SurfacesIntersectData PairForces::common_data() const {
   SurfacesIntersectData data;
   data.is_non_spherical = true;
   data.computeflag = pair_.computeflag();
@@ -86,7 +86,7 @@ inline ellipsoid::PairMasses PairForces::masses(int i, int j) const {
 }
 
 void PairForces::close(int i, int j, int* flag, double* history) {
-  SurfacesIntersectData data = pass_data();
+  SurfacesIntersectData data = common_data();
   data.i = i;
   data.j = j;
   data.contact_flags = flag;
@@ -112,9 +112,9 @@ void PairForces::apply(const Contact* contacts, bool are_flagged) {
 /// Forces are added up in the order of the contacts.
 void PairForces::apply_in_batch(const Contact* contacts, bool are_flagged) {
   gather(contacts, are_flagged);
-  choice_.pass.time_step = update->dt;
-  choice_.pass.is_time_step = is_time_step_;
-  batch_.solve(choice_.laws, choice_.pass);
+  choice_.settings.time_step = update->dt;
+  choice_.settings.is_time_step = is_time_step_;
+  batch_.solve(choice_.laws, choice_.settings);
   const bool in_plane = batch_.are_in_plane(), computes = computes_forces_;
   const bool reports = reports_.are_wanted() || pair_.keeps_records();
   for (int k = 0; k < batch_.size(); ++k) {
@@ -248,7 +248,7 @@ ellipsoid::Vector3 PairForces::centre_distance(int i, int j) const {
 SurfacesIntersectData PairForces::record(const Contact& contact, int k) const {
   const int i = contact.i, j = contact.j;
   const ellipsoid::ContactFrame frame = batch_.frame(k);
-  SurfacesIntersectData c = pass_data();
+  SurfacesIntersectData c = common_data();
   c.i = i;
   c.j = j;
   c.itype = atom->type[i];

@@ -2,8 +2,7 @@
 //
 // Forces and torques of contacts: of many at once by the kernel's batch of contact laws where it
 // has the chosen one (batched_law.h), otherwise one after the other by the host's contact models.
-#ifndef PAIR_FORCES_H_
-#define PAIR_FORCES_H_
+#pragma once
 
 #include "batched_law.h"
 #include "contact_reports.h"
@@ -71,7 +70,7 @@ class PairForces : private LAMMPS_NS::Pointers {
   int law_flags_ = 0;                            // that there is a contact, per kind of model
   int spring_offset_ = -1, rolling_offset_ = -1; // in the history of a contact; -1: no memory
 
-  ContactModels::SurfacesIntersectData pass_data() const;
+  ContactModels::SurfacesIntersectData common_data() const;
   double mass(int i) const;
   ellipsoid::PairMasses masses(int i, int j) const;
   ellipsoid::Vector3 centre_distance(int i, int j) const;
@@ -90,5 +89,3 @@ class PairForces : private LAMMPS_NS::Pointers {
 };
 
 } // namespace LIGGGHTS
-
-#endif

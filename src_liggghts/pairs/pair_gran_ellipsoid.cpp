@@ -221,19 +221,19 @@ void PairGranEllipsoid::shorten_lists() {
       neighbor->requests[k]->dnum = 1;
 }
 
-double* PairGranEllipsoid::history(double* in_list, int place) const {
+double* PairGranEllipsoid::history(double* in_list, int entry) const {
   const HistoryRows* rows = contacts_->history_rows();
-  return rows ? rows->at(static_cast<int>(in_list[place]))
-              : &in_list[fix_history->get_dnum() * place];
+  return rows ? rows->at(static_cast<int>(in_list[entry]))
+              : &in_list[fix_history->get_dnum() * entry];
 }
 
 void PairGranEllipsoid::keep_histories() { contacts_->histories_are_kept(true); }
 
 namespace ellipsoid_host {
 
-double* pair_history(Pair* pair, double* in_list, int values, int place) {
+double* pair_history(Pair* pair, double* in_list, int values, int entry) {
   const auto* own = dynamic_cast<const PairGranEllipsoid*>(pair);
-  return own ? own->history(in_list, place) : &in_list[values * place];
+  return own ? own->history(in_list, entry) : &in_list[values * entry];
 }
 
 void keep_pair_histories(Pair* pair) {

@@ -52,8 +52,8 @@ class PairGranEllipsoid : public ellipsoid_host::HostPairStyle,
   /// Gives the history registered so far `times` slots in all.
   void repeat_history(int times);
   /// Of a pair that touches.
-  /// @param[in] in_list histories of its first particle in the host's lists, @param[in] place there
-  double* history(double* in_list, int place) const;
+  /// @param[in] in_list histories of its first particle in the host's lists, @param[in] entry there
+  double* history(double* in_list, int entry) const;
   /// The host's fix is about to keep the histories.
   void keep_histories();
   /// Before new lists are made, on all ranks: see near_candidates.h.

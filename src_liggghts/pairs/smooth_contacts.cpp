@@ -234,20 +234,42 @@ void SmoothContacts::search_active_pairs(PairForces& forces) {
 /// The pairs in the batch, in the order in which they came.
 __attribute__((noinline)) void SmoothContacts::search_together(PairForces& forces) {
   batch_.solve();
-  batch_.solve_open();
+  batch_.solve_unsolved();
   SearchCounts counts; // here, to live in registers
   for (int k = 0; k < batch_.size(); ++k) {
     Contact& contact = in_search_[k];
-    if (!touches(contact,
-                 {batch_.normal(k), batch_.steps(k), batch_.is_apart(k), batch_.has_converged(k)},
-                 counts, forces))
+    record_search(contact,
+                  {batch_.normal(k), batch_.steps(k), batch_.is_apart(k), batch_.has_converged(k)},
+                  counts);
+    if (batch_.is_apart(k)) {
+      close(contact, forces);
       contact.history = nullptr;
-    else if (!flags_are_set_)
+    } else if (!flags_are_set_) {
       *contact.flag |= ContactModels::CONTACT_SURFACE_MODEL;
+    }
   }
   forces.apply_found(batch_, in_search_, flags_are_set_);
   count(counts);
   batch_.clear();
+}
+
+/// Defers the next check of a pair that its bounding spheres, or the last normal, show to be apart.
+/// @return whether they do
+bool SmoothContacts::defer_without_search(NearPair& pair, const Vector3& distance,
+                                          PairForces& forces) {
+  const double bounding_gap = this->bounding_gap(pair.i, pair.j, distance);
+  if (bounding_gap > 0.0) {
+    close_and_defer(pair, bounding_gap, normalized(distance), forces);
+    return true;
+  }
+  const Vector3 remembered = last_normal(pair);
+  if (dot(remembered, remembered) < 0.5) // unit vector, or zero
+    return false;
+  const double gap = -overlap_along(shapes_[pair.i], shapes_[pair.j], distance, remembered);
+  if (!(gap > 0.0))
+    return false;
+  close_and_defer(pair, gap, remembered, forces);
+  return true;
 }
 
 /// All others start from scratch: what a new contact is does not depend on what happened before it,
@@ -255,19 +277,8 @@ __attribute__((noinline)) void SmoothContacts::search_together(PairForces& force
 /// @return whether the pair touches; its next check is deferred if not
 __attribute__((noinline)) bool SmoothContacts::search_alone(NearPair& pair, PairForces& forces) {
   const Vector3 distance = centre_distance(pair.i, pair.j);
-  const double bounding_gap = this->bounding_gap(pair.i, pair.j, distance);
-  if (bounding_gap > 0.0) {
-    close_and_defer(pair, bounding_gap, normalized(distance), forces);
+  if (defer_without_search(pair, distance, forces))
     return false;
-  }
-  const Vector3 remembered = last_normal(pair);
-  if (dot(remembered, remembered) > 0.5) { // unit vector, or zero
-    const double gap = -overlap_along(shapes_[pair.i], shapes_[pair.j], distance, remembered);
-    if (gap > 0.0) {
-      close_and_defer(pair, gap, remembered, forces);
-      return false;
-    }
-  }
   if (!pair.history)
     pairs_.begin_history(pair);
   const Contact contact{pair.i, pair.j, pair.flag, pair.history, 1.0, -1, -1};
@@ -275,15 +286,15 @@ __attribute__((noinline)) bool SmoothContacts::search_alone(NearPair& pair, Pair
   options.goal = ellipsoid::SearchGoal::distance; // the farther apart, the later the next check
   const ellipsoid::ContactGeometry found =
       find_contact(shapes_[pair.i], shapes_[pair.j], distance, options);
-  using Status = ellipsoid::ContactStatus;
+  const bool is_apart = found.status == ellipsoid::ContactStatus::separated;
   SearchCounts counts;
-  const bool touches =
-      this->touches(contact,
-                    {found.normal, static_cast<double>(found.iterations),
-                     found.status == Status::separated, ellipsoid::has_converged(found.status)},
-                    counts, forces);
+  record_search(contact,
+                {found.normal, static_cast<double>(found.iterations), is_apart,
+                 ellipsoid::has_converged(found.status)},
+                counts);
   count(counts);
-  if (!touches) {
+  if (is_apart) {
+    close(contact, forces);
     remember_normal(pair, found.normal);
     pairs_.end_history(pair);
     defer(pair, -found.overlap, found.normal);
@@ -298,23 +309,19 @@ __attribute__((noinline)) bool SmoothContacts::search_alone(NearPair& pair, Pair
   return true;
 }
 
-/// Counts the pair, remembers its normal, closes the contact where there is none.
-inline bool SmoothContacts::touches(const Contact& pair, const Finding& finding,
-                                    SearchCounts& counts, PairForces& forces) const {
+/// Counts the pair and remembers its normal.
+inline void SmoothContacts::record_search(const Contact& pair, const Finding& finding,
+                                          SearchCounts& counts) const {
   const double share = this->share(pair.j);
   counts.tested += share;
   if (finding.steps != 1.0)
     counts.more_steps += share * (finding.steps - 1.0);
   if (is_time_step_)
     store(-finding.normal, &pair.history[normal_x]);
-  if (finding.is_apart) {
+  if (finding.is_apart)
     counts.apart += share;
-    close(pair, forces);
-    return false;
-  }
-  if (!finding.has_converged)
+  else if (!finding.has_converged)
     counts.not_converged += share;
-  return true;
 }
 
 void SmoothContacts::close(const Contact& pair, PairForces& forces) const {

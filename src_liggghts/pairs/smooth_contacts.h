@@ -6,8 +6,7 @@
 // to i (it flips with the order of the pair, as the host's flag 1 says) and whether the pair
 // touched in a time step. Pairs that are apart have no history, but the last normal that separated
 // them.
-#ifndef SMOOTH_CONTACTS_H_
-#define SMOOTH_CONTACTS_H_
+#pragma once
 
 #include "ellipsoid/contact_batch.h"
 #include "ellipsoid/first_gaps.h"
@@ -76,8 +75,8 @@ class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
   void search_active_pairs(PairForces& forces);
   void search_together(PairForces& forces);
   bool search_alone(NearPair& pair, PairForces& forces);
-  bool touches(const Contact& pair, const Finding& finding, SearchCounts& counts,
-               PairForces& forces) const;
+  bool defer_without_search(NearPair& pair, const ellipsoid::Vector3& distance, PairForces& forces);
+  void record_search(const Contact& pair, const Finding& finding, SearchCounts& counts) const;
   void close(const Contact& pair, PairForces& forces) const;
   void count(const SearchCounts& counts);
 
@@ -94,5 +93,3 @@ class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
 };
 
 } // namespace LIGGGHTS
-
-#endif

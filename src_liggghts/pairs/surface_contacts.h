@@ -1,6 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#ifndef SURFACE_CONTACTS_H_
-#define SURFACE_CONTACTS_H_
+#pragma once
 
 #include "contact_counts.h"
 #include "history_rows.h"
@@ -32,5 +31,3 @@ class SurfaceContacts {
 };
 
 } // namespace LIGGGHTS
-
-#endif

@@ -1,8 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // How the surface of each particle moves from step to step.
-#ifndef SURFACE_MOTIONS_H_
-#define SURFACE_MOTIONS_H_
+#pragma once
 
 #include "separation/motion_clocks.h"
 
@@ -31,5 +30,3 @@ class SurfaceMotions {
 };
 
 } // namespace LIGGGHTS
-
-#endif

@@ -1,6 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#ifndef BUOYANCY_H_
-#define BUOYANCY_H_
+#pragma once
 
 namespace LAMMPS_NS {
 class LAMMPS;
@@ -19,5 +18,3 @@ bool add_buoyancy(LAMMPS_NS::LAMMPS* lmp, int i, int dim, double level, double d
                   double* total);
 
 } // namespace ellipsoid_host
-
-#endif

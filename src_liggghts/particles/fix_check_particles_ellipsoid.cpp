@@ -16,7 +16,7 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-constexpr int steps_between_looks = 16; // a number that is not finite does not go away by itself
+constexpr int steps_between_checks = 16; // a number that is not finite does not go away by itself
 
 constexpr char caller[] = "atom_style granular/ellipsoid"; // the fix is made by it
 
@@ -51,14 +51,14 @@ void FixCheckParticlesEllipsoid::setup(int) {
     check_integrators();
 }
 
-/// Before the host looks for the place of a particle whose position is not finite.
+/// Before the host seeks the sub-domain of a particle whose position is not finite.
 void FixCheckParticlesEllipsoid::pre_exchange() { ellipsoid_host::check_finite(lmp, caller); }
 
 void FixCheckParticlesEllipsoid::pre_neighbor() { ellipsoid_host::check_particles(lmp, caller); }
 
 void FixCheckParticlesEllipsoid::end_of_step() {
   const bigint step = update->ntimestep;
-  if (step % steps_between_looks == 0 || step == output->next || step == update->laststep)
+  if (step % steps_between_checks == 0 || step == output->next || step == update->laststep)
     ellipsoid_host::check_finite(lmp, caller);
 }
 

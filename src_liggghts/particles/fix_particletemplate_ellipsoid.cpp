@@ -106,7 +106,7 @@ void FixParticletemplateEllipsoid::parse(int narg, char** arg) {
         *axis = reader.positive(keyword);
       has_semiaxes = true;
     } else if (keyword == "vary") {
-      parse_variation(reader);
+      variations_.add(reader);
     } else if (keyword == "density") {
       density_ = reader.positive(keyword);
     } else if (keyword == "mass") {
@@ -127,7 +127,18 @@ void FixParticletemplateEllipsoid::parse(int narg, char** arg) {
           "'volume_limit'");
     }
   }
-  finish(has_semiaxes, has_moments);
+  complete(has_semiaxes, has_moments);
+}
+
+/// Checks what the keywords are together, and derives what they do not give.
+void FixParticletemplateEllipsoid::complete(bool has_semiaxes, bool has_moments) {
+  if (!clump_file_.empty())
+    make_clump(has_semiaxes, has_moments);
+  check_combination(has_semiaxes, has_moments);
+  derive_sizes_and_masses(has_moments);
+  check_moments();
+  if (subspheres_ > 0 && !body_.clump())
+    check_spheres();
 }
 
 /// Keywords of multi-sphere particles. @return whether it is one of them
@@ -159,58 +170,11 @@ bool FixParticletemplateEllipsoid::parse_spheres(const std::string& keyword,
   return true;
 }
 
-/// vary all|a|b|c|bc uniform|gaussian|lognormal first second
-void FixParticletemplateEllipsoid::parse_variation(ellipsoid_host::ArgumentReader& reader) {
-  using ellipsoid::SizeDistribution;
-  const std::string keyword = "vary";
-  Variation variation;
-  const int which = reader.choice(keyword, {"all", "a", "b", "c", "bc"});
-  const bool chosen[5][3] = {{true, true, true},
-                             {true, false, false},
-                             {false, true, false},
-                             {false, false, true},
-                             {false, true, true}};
-  std::copy(chosen[which], chosen[which] + 3, variation.axes.begin());
-  const int kind = reader.choice(keyword, {"uniform", "gaussian", "lognormal"});
-  if (kind == 0) {
-    const double low = reader.positive(keyword);
-    variation.factor = {SizeDistribution::Kind::uniform, low,
-                        reader.number(keyword, low, HUGE_VAL)};
-  } else if (kind == 1) {
-    const double mean = reader.positive(keyword);
-    const double largest_deviation = 0.999 * mean / SizeDistribution::cut;
-    variation.factor = {SizeDistribution::Kind::gaussian, mean,
-                        reader.number(keyword, 0.0, largest_deviation)};
-  } else {
-    constexpr double largest = 3.0; // of the logarithm's mean and standard deviation
-    const double mean = reader.number(keyword, -largest, largest);
-    variation.factor = {SizeDistribution::Kind::lognormal, mean,
-                        reader.number(keyword, 0.0, largest)};
-  }
-  variations_.push_back(variation);
-}
-
-/// Semi-axes times the values that `value_of` gives of the random factors.
-template <class Value>
-ellipsoid::Vector3 FixParticletemplateEllipsoid::varied(Value value_of) const {
-  double axes[3];
-  store(semiaxes_, axes);
-  for (const Variation& variation : variations_) {
-    const double factor = value_of(variation.factor);
-    for (std::size_t k = 0; k < 3; ++k)
-      if (variation.axes[k])
-        axes[k] *= factor;
-  }
-  return ellipsoid_host::vector(axes);
-}
-
-void FixParticletemplateEllipsoid::finish(bool has_semiaxes, bool has_moments) {
-  if (!clump_file_.empty())
-    make_clump(has_semiaxes, has_moments);
-  else if (!has_semiaxes)
+void FixParticletemplateEllipsoid::check_combination(bool has_semiaxes, bool has_moments) {
+  if (clump_file_.empty() && !has_semiaxes)
     error->fix_error(FLERR, this,
                      "keyword 'semiaxes' is missing; add 'semiaxes a b c', or 'clump FILE'");
-  else if (clump_scale_ || !written_file_.empty())
+  if (clump_file_.empty() && (clump_scale_ || !written_file_.empty()))
     error->fix_error(
         FLERR, this,
         "keywords 'clump_scale' and 'write_clump' are for clumps; add 'clump FILE', or "
@@ -219,31 +183,30 @@ void FixParticletemplateEllipsoid::finish(bool has_semiaxes, bool has_moments) {
     error->fix_error(
         FLERR, this,
         "exactly one of the keywords 'density' and 'mass' is needed; give one of them");
-  if (!variations_.empty() && (mass_ > 0.0 || has_moments))
+  if (!variations_.all().empty() && (mass_ > 0.0 || has_moments))
     error->fix_error(
         FLERR, this,
         "keyword 'vary' does not go with 'mass' or 'inertia', which belong to one size; "
         "use 'density'");
+}
+
+void FixParticletemplateEllipsoid::derive_sizes_and_masses(bool has_moments) {
   semiaxes_ *= force->cg(atom_type);
-  volume_expect = body_.volume(semiaxes_);
-  for (const Variation& variation : variations_)
-    volume_expect *= variation.factor.moment(
-        static_cast<int>(std::count(variation.axes.begin(), variation.axes.end(), true)));
+  volume_expect = variations_.mean_volume(body_.volume(semiaxes_));
   if (density_ > 0.0)
     mass_ = density_ * body_.volume(semiaxes_);
   else
     density_ = mass_ / body_.volume(semiaxes_);
   mass_expect = density_ * volume_expect;
   using ellipsoid::SizeDistribution;
-  const auto smallest = varied([](const SizeDistribution& d) { return d.smallest(); });
-  const auto largest = varied([](const SizeDistribution& d) { return d.largest(); });
+  const auto smallest =
+      variations_.varied(semiaxes_, [](const SizeDistribution& d) { return d.smallest(); });
+  const auto largest =
+      variations_.varied(semiaxes_, [](const SizeDistribution& d) { return d.largest(); });
   smallest_bounding_radius_ = body_.bounding_radius(smallest);
   largest_bounding_radius_ = body_.bounding_radius(largest);
   if (!has_moments)
     principal_moments_ = body_.principal_moments(semiaxes_, mass_);
-  check_moments();
-  if (subspheres_ > 0 && !body_.clump())
-    check_multisphere();
 }
 
 void FixParticletemplateEllipsoid::make_clump(bool has_semiaxes, bool has_moments) {
@@ -252,9 +215,8 @@ void FixParticletemplateEllipsoid::make_clump(bool has_semiaxes, bool has_moment
   };
   if (has_semiaxes || stores_subspheres_ || has_spacing_)
     complain("it has its spheres from the file; leave 'semiaxes', 'subspheres' and 'spacing' out");
-  for (const Variation& variation : variations_)
-    if (!(variation.axes[0] && variation.axes[1] && variation.axes[2]))
-      complain("a clump keeps its shape; use 'vary all'");
+  if (!variations_.keep_shape())
+    complain("a clump keeps its shape; use 'vary all'");
   try {
     body_.read_clump(lmp, clump_file_, clump_scale_.value_or(1.0));
     if (!has_moments && !body_.clump()->is_principal)
@@ -272,11 +234,11 @@ void FixParticletemplateEllipsoid::make_clump(bool has_semiaxes, bool has_moment
   stores_subspheres_ = true;
 }
 
-void FixParticletemplateEllipsoid::check_moments() const {
+void FixParticletemplateEllipsoid::check_moments() {
   const ellipsoid::Vector3& m = principal_moments_;
   if (m.x > m.y + m.z || m.y > m.x + m.z || m.z > m.x + m.y)
     error->fix_error(
-        FLERR, const_cast<FixParticletemplateEllipsoid*>(this),
+        FLERR, this,
         "keyword 'inertia': one moment is larger than the sum of the two others, which "
         "no rigid body has; correct the values");
 }
@@ -289,58 +251,20 @@ std::string FixParticletemplateEllipsoid::sphere_chain() const {
              : "subspheres " + std::to_string(subspheres_) + " spacing " + word_of(spacing_);
 }
 
-/// The particles of all extreme sizes must have their spheres.
-void FixParticletemplateEllipsoid::check_planar_multisphere() const {
-  const std::size_t corners = std::size_t{1} << std::min<std::size_t>(variations_.size(), 6);
-  for (std::size_t corner = 0; corner < corners; ++corner) {
-    std::size_t bits = corner;
-    const auto axes = varied([&bits](const ellipsoid::SizeDistribution& factor) {
-      const bool is_large = bits % 2 == 1;
-      bits /= 2;
-      return is_large ? factor.largest() : factor.smallest();
-    });
-    ellipsoid::make_ellipsoid_spheres(axes, subspheres_, spacing_);
-  }
-}
-
-/// Both the most and the least elongated particle must have a chain.
-void FixParticletemplateEllipsoid::check_multisphere() const {
-  using ellipsoid::SizeDistribution;
+void FixParticletemplateEllipsoid::check_spheres() {
   try {
-    if (ellipsoid::is_planar(spacing_)) {
-      check_planar_multisphere();
-      return;
-    }
-    if (semiaxes_.y != semiaxes_.z)
-      throw std::invalid_argument(
-          "the semi-axes b and c differ, chains need b = c; use equal ones, "
-          "or 'spacing medial' or 'minimax_volume'");
-    double longest = semiaxes_.x / semiaxes_.y, shortest = longest;
-    for (const Variation& variation : variations_) {
-      if (variation.axes[1] != variation.axes[2])
-        throw std::invalid_argument("'vary b' and 'vary c' make the semi-axes b and c differ, "
-                                    "multi-spheres need b = c; use 'vary bc'");
-      const SizeDistribution& factor = variation.factor;
-      if (variation.axes[0] != variation.axes[1]) {
-        const bool on_a = variation.axes[0];
-        longest *= on_a ? factor.largest() : 1.0 / factor.smallest();
-        shortest *= on_a ? factor.smallest() : 1.0 / factor.largest();
-      }
-    }
-    for (const double aspect : {shortest, longest})
-      ellipsoid::make_multisphere(aspect * semiaxes_.y, semiaxes_.y, subspheres_, spacing_);
+    variations_.check_spheres(semiaxes_, subspheres_, spacing_);
   } catch (const std::invalid_argument& problem) {
-    error->fix_error(FLERR, const_cast<FixParticletemplateEllipsoid*>(this),
-                     ("keyword 'subspheres': " + std::string(problem.what())).c_str());
+    error->fix_error(FLERR, this, ("keyword 'subspheres': " + std::string(problem.what())).c_str());
   }
 }
 
 void FixParticletemplateEllipsoid::fill(ParticleToInsertEllipsoid& p,
                                         const std::function<double()>& uniform) const {
-  const ellipsoid::Vector3 axes =
-      varied([&uniform](const ellipsoid::SizeDistribution& d) { return d.draw(uniform()); });
+  const ellipsoid::Vector3 axes = variations_.varied(
+      semiaxes_, [&uniform](const ellipsoid::SizeDistribution& d) { return d.draw(uniform()); });
   const double volume = body_.volume(axes);
-  const bool one_size = variations_.empty(); // its mass and moments may be given
+  const bool one_size = variations_.all().empty(); // its mass and moments may be given
   p.atom_type = atom_type;
   p.radius_ins[0] = p.r_bound_ins = body_.bounding_radius(axes);
   ellipsoid_host::set_distance_from_borders(p);
@@ -409,7 +333,7 @@ unsigned int FixParticletemplateEllipsoid::generate_hash() {
     add_hash_value(value, start, hash);
   for (const int value : {static_cast<int>(planar_), subspheres_, spacing_number()})
     add_hash_value(value, start, hash);
-  for (const Variation& variation : variations_) {
+  for (const auto& variation : variations_.all()) {
     for (const bool axis : variation.axes)
       add_hash_value(static_cast<int>(axis), start, hash);
     for (const double value :

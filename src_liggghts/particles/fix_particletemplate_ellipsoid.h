@@ -10,17 +10,15 @@ FixStyle(particletemplate/ellipsoid,FixParticletemplateEllipsoid)
 #define LMP_FIX_PARTICLETEMPLATE_ELLIPSOID_H
 
 #include "fix_template_sphere.h"
-#include "insertion/size_distribution.h"
 #include "math/vector3.h"
 #include "multisphere/multisphere_template.h"
 #include "particle_to_insert_ellipsoid.h"
 #include "template_body.h"
+#include "template_variations.h"
 
-#include <array>
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace ellipsoid_host {
 class ArgumentReader;
@@ -53,12 +51,7 @@ class FixParticletemplateEllipsoid : public FixTemplateSphere {
   void fill(ParticleToInsertEllipsoid& particle, const std::function<double()>& uniform) const;
 
  private:
-  /// Keyword `vary`: a random factor on some of the semi-axes.
-  struct Variation {
-    std::array<bool, 3> axes{};
-    ellipsoid::SizeDistribution factor;
-  };
-  std::vector<Variation> variations_;
+  ellipsoid_host::TemplateVariations variations_;
   ellipsoid::Vector3 semiaxes_;          // without the random factors (length)
   ellipsoid::Vector3 principal_moments_; // about the body's x, y, z (mass length^2)
   double mass_ = 0.0;
@@ -76,12 +69,11 @@ class FixParticletemplateEllipsoid : public FixTemplateSphere {
 
   void parse(int narg, char** arg);
   bool parse_spheres(const std::string& keyword, ellipsoid_host::ArgumentReader& reader);
-  void parse_variation(ellipsoid_host::ArgumentReader& reader);
-  template <class Value> ellipsoid::Vector3 varied(Value value_of) const;
-  void check_moments() const;
-  void finish(bool has_semiaxes, bool has_moments);
-  void check_multisphere() const;
-  void check_planar_multisphere() const;
+  void complete(bool has_semiaxes, bool has_moments);
+  void check_combination(bool has_semiaxes, bool has_moments);
+  void derive_sizes_and_masses(bool has_moments);
+  void check_moments();
+  void check_spheres();
   void make_clump(bool has_semiaxes, bool has_moments);
   int spacing_number() const;
   void randomize(ParticleToInsertEllipsoid& particle);

@@ -67,8 +67,8 @@ class InsertionSpace : private Pointers {
 
   void load(BoundingBox& reached, double largest_radius);
   void stay_within(Region* region) { within_ = region; }
-  bool take(const ParticleToInsertEllipsoid& particle, const double* centre,
-            const double* quaternion);
+  bool occupy(const ParticleToInsertEllipsoid& particle, const double* centre,
+              const double* quaternion);
   bool may_fit(const ParticleToInsertEllipsoid& particle, const double* centre);
   /// Of bodies since one found room; counts one more.
   int refusals() { return ++refusals_; }
@@ -234,8 +234,8 @@ bool InsertionSpace::reaches_others(const SolidBody& body, const PlainBody& plai
   return may_meet_others && !stays_within_rank(*domain, copy.centre, body.bounding_radius);
 }
 
-bool InsertionSpace::take(const ParticleToInsertEllipsoid& particle, const double* centre,
-                          const double* quaternion) {
+bool InsertionSpace::occupy(const ParticleToInsertEllipsoid& particle, const double* centre,
+                            const double* quaternion) {
   const PlainBody plain = ellipsoid_host::plain_body(particle, centre, quaternion);
   const SolidBody body = solid_body(plain);
   if (reaches_others(body, plain) || (within_ && !is_within_region(body, plain)) ||
@@ -283,39 +283,39 @@ bool asks_for_room(ParticleToInsert* particle) {
   return present_space() && dynamic_cast<ParticleToInsertEllipsoid*>(particle);
 }
 
-bool take_place(const ParticleToInsertEllipsoid& particle, const double* centre,
-                const double* quaternion) {
-  return present_space()->take(particle, centre, quaternion);
+bool occupy(const ParticleToInsertEllipsoid& particle, const double* centre,
+            const double* quaternion) {
+  return present_space()->occupy(particle, centre, quaternion);
 }
 
-void random_place(Region* region, ParticleToInsert* particle, double* place) {
+void random_place(Region* region, ParticleToInsert* particle, double* centre) {
   const auto& body = *dynamic_cast<ParticleToInsertEllipsoid*>(particle);
   // sets of spheres need not reach as far as their semi-axes say to all sides
   const double least =
       body.subspheres > 0 ? 0.0 : *std::min_element(body.shape_ins, body.shape_ins + 3);
-  constexpr int most_tries = 50; // a region may have no such place
+  constexpr int most_tries = 50; // a region may have no such point
   for (int k = 0; k < most_tries; ++k) {
-    region->generate_random(place, true);
-    if (region->match_shrinkby_cut(place, least))
+    region->generate_random(centre, true);
+    if (region->match_shrinkby_cut(centre, least))
       return;
   }
 }
 
-int try_orientations(ParticleToInsert* particle, double* place, double* velocity, double* omega,
+int try_orientations(ParticleToInsert* particle, double* centre, double* velocity, double* omega,
                      double* quaternion, RegionNeighborList<interpolate_no>& near,
                      RanPark* random) {
   auto* body = dynamic_cast<ParticleToInsertEllipsoid*>(particle);
-  // while places are easy to find, orientations stay those of random sequential addition
+  // while room is easy to find, orientations stay those of random sequential addition
   constexpr int refusals_before = 100;
   if (!present_space() || !body || body->has_orientation ||
-      present_space()->refusals() <= refusals_before || !present_space()->may_fit(*body, place))
+      present_space()->refusals() <= refusals_before || !present_space()->may_fit(*body, centre))
     return 0;
   constexpr int most_orientations = 29; // and the one before: bodies of aspect 3.5 are as dense as
                                         // spheres then
   for (int k = 0; k < most_orientations; ++k) {
     MathExtraLiggghts::random_unit_quat(random, quaternion);
     if (const int inserted =
-            body->check_near_set_x_v_omega(place, velocity, omega, quaternion, near))
+            body->check_near_set_x_v_omega(centre, velocity, omega, quaternion, near))
       return inserted;
   }
   return 0;

@@ -5,8 +5,7 @@
 //
 // New bodies keep their bounding sphere within the domain of their rank, so that those of two ranks
 // never meet.
-#ifndef INSERTION_SPACE_H_
-#define INSERTION_SPACE_H_
+#pragma once
 
 #include "math/vector3.h"
 #include "region_neighbor_list.h"
@@ -32,22 +31,24 @@ void begin_insertion(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::BoundingBox& reached,
 /// From now on new bodies must lie wholly in this region; null: only their centres.
 void insert_within(LAMMPS_NS::Region* region);
 
-/// Whether a new body asks take_place() for its room.
+/// Whether a new body asks occupy() for its room.
 bool asks_for_room(LAMMPS_NS::ParticleToInsert* particle);
 
-/// Whether the place is free; if so it is taken.
+/// Occupies the room of a body, if it is free.
+/// @return whether it was
 /// @param[in] quaternion scalar first, unit
-bool take_place(const LAMMPS_NS::ParticleToInsertEllipsoid& particle, const double* centre,
-                const double* quaternion);
+bool occupy(const LAMMPS_NS::ParticleToInsertEllipsoid& particle, const double* centre,
+            const double* quaternion);
 
 /// A random place for the centre of a new body in a region that it must lie in wholly: where there
 /// are such, no closer to the region's surface than the body's smallest semi-axis.
-void random_place(LAMMPS_NS::Region* region, LAMMPS_NS::ParticleToInsert* particle, double* place);
+void random_place(LAMMPS_NS::Region* region, LAMMPS_NS::ParticleToInsert* particle, double* centre);
 
-/// Other random orientations of a body that found no room at `place`, as long as the largest ball
-/// in the body would find some, and only after 100 refusals on end. Returns what particle->check_near_set_x_v_omega() does.
+/// Other random orientations of a body that found no room at `centre`, as long as the largest ball
+/// in the body would find some, and only after 100 refusals on end. Returns what
+/// particle->check_near_set_x_v_omega() does.
 /// @param[out] quaternion the last one that was tried
-int try_orientations(LAMMPS_NS::ParticleToInsert* particle, double* place, double* velocity,
+int try_orientations(LAMMPS_NS::ParticleToInsert* particle, double* centre, double* velocity,
                      double* omega, double* quaternion,
                      LAMMPS_NS::RegionNeighborList<LAMMPS_NS::interpolate_no>& near,
                      LAMMPS_NS::RanPark* random);
@@ -59,5 +60,3 @@ void report_missing(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::Fix* insertion,
                     LAMMPS_NS::ParticleToInsert** list, int placed, int wanted, bool once);
 
 } // namespace ellipsoid_host
-
-#endif

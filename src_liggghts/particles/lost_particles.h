@@ -1,8 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Particles that leave the simulation box are lost when particles go to other ranks.
-#ifndef LOST_PARTICLES_H_
-#define LOST_PARTICLES_H_
+#pragma once
 
 #include "lmptype.h"
 
@@ -12,8 +11,6 @@ namespace ellipsoid_host {
 void note_exchange(LAMMPS_NS::bigint before, LAMMPS_NS::bigint after);
 
 /// Particles lost since the last call, over all ranks.
-LAMMPS_NS::bigint take_losses();
+LAMMPS_NS::bigint collect_losses();
 
 } // namespace ellipsoid_host
-
-#endif

@@ -118,7 +118,7 @@ ellipsoid::MultispherePose MultisphereParticles::make_pose(const double* semiaxe
   return pose;
 }
 
-void MultisphereParticles::place(int i, ellipsoid::MultispherePose& pose) const {
+void MultisphereParticles::set_pose(int i, ellipsoid::MultispherePose& pose) const {
   turn(pose, ellipsoid::rotation(quaternion(atom->quaternion[i])));
   pose.scale = atom->shape[i][1];
 }
@@ -126,7 +126,7 @@ void MultisphereParticles::place(int i, ellipsoid::MultispherePose& pose) const 
 ellipsoid::MultispherePose MultisphereParticles::make_pose(int i) {
   ellipsoid::MultispherePose pose;
   pose.body = body(i);
-  place(i, pose);
+  set_pose(i, pose);
   return pose;
 }
 

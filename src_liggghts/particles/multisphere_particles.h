@@ -1,8 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // The spheres of all particles: chains, or clumps.
-#ifndef ELLIPSOID_MULTISPHERE_PARTICLES_H
-#define ELLIPSOID_MULTISPHERE_PARTICLES_H
+#pragma once
 
 #include "multisphere/multisphere_contact.h"
 #include "pointers.h"
@@ -65,9 +64,7 @@ class MultisphereParticles : private LAMMPS_NS::Pointers {
   const ellipsoid::MultisphereBody* body(const double* semiaxes, int count, int spacing);
   void begin_lists(std::size_t count);
   void move();
-  void place(int i, ellipsoid::MultispherePose& pose) const;
+  void set_pose(int i, ellipsoid::MultispherePose& pose) const;
 };
 
 } // namespace ellipsoid_host
-
-#endif

@@ -31,7 +31,7 @@ int new_number(const NewNumbers& numbers, int old) {
   return found == numbers.end() ? 0 : found->second; // no particle has the number 0
 }
 
-std::array<double, 3> place(const Atom& atom, int i) {
+std::array<double, 3> position(const Atom& atom, int i) {
   return {atom.x[i][0], atom.x[i][1], atom.x[i][2]};
 }
 
@@ -53,14 +53,14 @@ Renumbering::Renumbering(LAMMPS* lmp, bool numbers_anew) : lmp_(lmp), numbers_an
   // the host does this once more, with the same lists
   const Atom& atom = *lmp->atom;
   for (int i = 0; numbers_anew && i < atom.nlocal; ++i)
-    old_numbers_[place(atom, i)] = atom.tag[i];
+    old_numbers_[position(atom, i)] = atom.tag[i];
 }
 
 NewNumbers Renumbering::gather() const {
   const Atom& atom = *lmp_->atom;
   std::vector<int> mine; // old, new
   for (int i = 0; i < atom.nlocal; ++i)
-    mine.insert(mine.end(), {old_numbers_.at(place(atom, i)), atom.tag[i]});
+    mine.insert(mine.end(), {old_numbers_.at(position(atom, i)), atom.tag[i]});
   const int count = static_cast<int>(mine.size());
   std::vector<int> counts(static_cast<std::size_t>(lmp_->comm->nprocs)), begins(counts.size());
   MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, lmp_->world);

@@ -2,8 +2,7 @@
 //
 // `delete_atoms` numbers the remaining particles anew, while contact histories know partners by
 // their numbers: they are given the new ones.
-#ifndef NEW_NUMBERS_H_
-#define NEW_NUMBERS_H_
+#pragma once
 
 #include <array>
 #include <map>
@@ -37,11 +36,9 @@ class Renumbering {
  private:
   LAMMPS_NS::LAMMPS* lmp_;
   bool numbers_anew_;
-  std::map<std::array<double, 3>, int> old_numbers_; // by place, of the particles of this rank
+  std::map<std::array<double, 3>, int> old_numbers_; // by position, of the particles of this rank
 
   NewNumbers gather() const;
 };
 
 } // namespace ellipsoid_host
-
-#endif

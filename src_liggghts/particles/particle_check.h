@@ -1,6 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#ifndef ELLIPSOID_PARTICLE_CHECK_H
-#define ELLIPSOID_PARTICLE_CHECK_H
+#pragma once
 
 namespace LAMMPS_NS {
 class LAMMPS;
@@ -20,5 +19,3 @@ void check_particles(LAMMPS_NS::LAMMPS* lmp, const char* caller);
 void check_finite(LAMMPS_NS::LAMMPS* lmp, const char* caller);
 
 } // namespace ellipsoid_host
-
-#endif

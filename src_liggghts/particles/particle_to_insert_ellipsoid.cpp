@@ -19,7 +19,7 @@ int ParticleToInsertEllipsoid::check_near_set_x_v_omega(double* x, double* v, do
     store(orientation, quat);
   if (!ellipsoid_host::asks_for_room(this))
     return ParticleToInsertSuperquadric::check_near_set_x_v_omega(x, v, omega, quat, near);
-  if (!ellipsoid_host::take_place(*this, x, quat))
+  if (!ellipsoid_host::occupy(*this, x, quat))
     return 0;
   // for templates of the host
   near.insert_superquadric(x, radius_ins[0], quat, shape_ins, blockiness_ins);

@@ -1,8 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // One particle of fix particletemplate/ellipsoid on its way into the simulation.
-#ifndef PARTICLE_TO_INSERT_ELLIPSOID_H
-#define PARTICLE_TO_INSERT_ELLIPSOID_H
+#pragma once
 
 #include "math/vector3.h"
 #include "particleToInsertSuperquadric.h"
@@ -26,5 +25,3 @@ class ParticleToInsertEllipsoid : public ParticleToInsertSuperquadric {
 };
 
 } // namespace LAMMPS_NS
-
-#endif

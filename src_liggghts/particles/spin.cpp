@@ -117,9 +117,9 @@ MomentsOfGroup::~MomentsOfGroup() {
   const double mine[6] = {moments.xx, moments.yy, moments.zz, moments.xy, moments.xz, moments.yz};
   double all[6];
   MPI_Allreduce(mine, all, 6, MPI_DOUBLE, MPI_SUM, lmp_->world);
-  const int place[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
+  const int entry[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
   for (int k = 0; k < 6; ++k) {
-    const int row = place[k][0], column = place[k][1];
+    const int row = entry[k][0], column = entry[k][1];
     sum_[row][column] += all[k];
     if (row != column)
       sum_[column][row] += all[k];

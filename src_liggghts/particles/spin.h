@@ -2,8 +2,7 @@
 //
 // Angular velocity and angular momentum of an ellipsoid belong together, but commands of the host
 // write one and not the other, turn centres and not bodies, or add up centres of mass only.
-#ifndef SPIN_H_
-#define SPIN_H_
+#pragma once
 
 #include "math/vector3.h"
 
@@ -68,5 +67,3 @@ class MomentsOfGroup {
 };
 
 } // namespace ellipsoid_host
-
-#endif

@@ -2,8 +2,7 @@
 //
 // Volume, bounding sphere and moments of a template's particles, by their semi-axes: those of an
 // ellipsoid, or of a clump in the size that the second semi-axis says.
-#ifndef TEMPLATE_BODY_H
-#define TEMPLATE_BODY_H
+#pragma once
 
 #include "multisphere/clump_template.h"
 
@@ -39,5 +38,3 @@ class TemplateBody {
 };
 
 } // namespace ellipsoid_host
-
-#endif

@@ -1,8 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // What fix and command balance/ellipsoid have in common: their keywords, and with what they work.
-#ifndef BALANCE_SETTINGS_H_
-#define BALANCE_SETTINGS_H_
+#pragma once
 
 #include "ellipsoid_host.h"
 #include "sub_domains.h"
@@ -22,5 +21,3 @@ extern const char* const balance_keywords;
 void check_shifts_are_possible(LAMMPS_NS::LAMMPS* lmp, const std::string& command);
 
 } // namespace ellipsoid_host
-
-#endif

@@ -58,7 +58,7 @@ void FixBalanceEllipsoid::parse(int narg, char** arg) {
                       "', allowed are 'every', 'threshold', 'by', " + balance_keywords);
   }
   if (every_ == 0)
-    reader.complain("a keyword is missing; add 'every N', the steps between two looks");
+    reader.complain("a keyword is missing; add 'every N', the steps between two checks");
   if (igroup != 0)
     reader.complain("acts on all particles; give the group 'all'");
   if (by_time_)
@@ -72,7 +72,7 @@ void FixBalanceEllipsoid::init() {
     error->fix_error(FLERR, this, "there is another one; remove one of them");
   check_shifts_are_possible(lmp, "Fix balance/ellipsoid (id " + std::string(id) + ")");
   note_box_change(false);
-  time_at_look_ = 0.0; // as the host's clocks
+  time_at_check_ = 0.0; // as the host's clocks
 }
 
 /// With 1 the host hands meshes round and finds their cells whenever lists are built, and
@@ -111,7 +111,7 @@ void FixBalanceEllipsoid::balance() {
     if (insertion_is_next)
       shift(even_planes(lmp));
     else
-      look();
+      check();
     is_for_insertion_ = insertion_is_next;
     if (domain->triclinic)
       domain->lamda2x(atom->nlocal);
@@ -119,9 +119,9 @@ void FixBalanceEllipsoid::balance() {
   next_reneighbor = std::min((step / every_ + 1) * every_, std::max(insertion - 1, step + 1));
 }
 
-/// Since the last look, of this rank: its share of particles, or seconds in forces, walls, motion
+/// Since the last check, of this rank: its share of particles, or seconds in forces, walls, motion
 /// and neighbour lists, where ranks do not wait for each other.
-double FixBalanceEllipsoid::work_since_look() {
+double FixBalanceEllipsoid::work_since_check() {
   if (!by_time_ || update->setupflag)
     return atom->nlocal;
   double time = timer->array[TIME_PAIR] + timer->array[TIME_NEIGHBOR];
@@ -129,14 +129,14 @@ double FixBalanceEllipsoid::work_since_look() {
     if (std::strncmp(modify->fix[i]->style, "wall/", 5) == 0 ||
         std::strncmp(modify->fix[i]->style, "nve", 3) == 0)
       time += modify->fix[i]->get_recorded_time();
-  const double since = std::max(time - time_at_look_, 0.0);
-  time_at_look_ = time;
+  const double since = std::max(time - time_at_check_, 0.0);
+  time_at_check_ = time;
   was_measured_ = true;
   return since;
 }
 
-void FixBalanceEllipsoid::look() {
-  const double work = work_since_look();
+void FixBalanceEllipsoid::check() {
+  const double work = work_since_check();
   before_ = after_ = imbalance(lmp, work);
   if (before_ <= threshold_)
     return;

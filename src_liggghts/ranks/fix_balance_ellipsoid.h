@@ -16,7 +16,7 @@ FixStyle(balance/ellipsoid,FixBalanceEllipsoid)
 
 namespace LAMMPS_NS {
 
-/// Global scalar: imbalance, largest over mean of the ranks, after the last look. Global vector:
+/// Global scalar: imbalance, largest over mean of the ranks, after the last check. Global vector:
 /// imbalance before and after it, number of shifts so far, most particles of a rank.
 class FixBalanceEllipsoid : public Fix {
  public:
@@ -37,14 +37,14 @@ class FixBalanceEllipsoid : public Fix {
   static ellipsoid_host::Planes planes_of(const char* state);
 
  private:
-  bigint every_ = 0;       // steps between two looks
+  bigint every_ = 0;       // steps between two checks
   double threshold_ = 1.1; // of the imbalance
   bool by_time_ = false;   // by measured times instead of numbers of particles
   ellipsoid_host::BalanceSettings settings_;
 
-  double before_ = 1.0, after_ = 1.0; // imbalance at the last look
+  double before_ = 1.0, after_ = 1.0; // imbalance at the last check
   bigint shifts_ = 0;                 // so far
-  double time_at_look_ = 0.0;         // of this rank since the run began, at the last look (s)
+  double time_at_check_ = 0.0;        // of this rank since the run began, at the last check (s)
   bool was_measured_ = false;
   bool is_for_insertion_ = false; // planes are even until the host's fixes have inserted
 
@@ -52,8 +52,8 @@ class FixBalanceEllipsoid : public Fix {
   void note_box_change(bool planes_too);
   bigint next_insertion() const;
   bool is_due() const;
-  double work_since_look();
-  void look();
+  double work_since_check();
+  void check();
   void shift(const ellipsoid_host::Planes& planes);
 };
 

@@ -17,7 +17,7 @@ void ellipsoid_host::balance_ranks(LAMMPS* lmp) {
       fix->balance();
 }
 
-void ellipsoid_host::take_planes(LAMMPS* lmp, const char* fix_style, const char* state) {
+void ellipsoid_host::restore_planes(LAMMPS* lmp, const char* fix_style, const char* state) {
   if (std::strcmp(fix_style, "balance/ellipsoid") != 0)
     return;
   const Planes planes = FixBalanceEllipsoid::planes_of(state);

@@ -1,8 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Where the host lets fix balance/ellipsoid shift the planes between sub-domains.
-#ifndef LOAD_BALANCE_H_
-#define LOAD_BALANCE_H_
+#pragma once
 
 #include "sub_domains.h"
 
@@ -12,9 +11,9 @@ namespace ellipsoid_host {
 /// pre_exchange() or setup_pre_exchange().
 void balance_ranks(LAMMPS_NS::LAMMPS* lmp);
 
-/// To be called while a restart file is read, before its particles, with what each fix wrote: takes
-/// the planes of the run that wrote them, if the processor grid is the same.
-void take_planes(LAMMPS_NS::LAMMPS* lmp, const char* fix_style, const char* state);
+/// To be called while a restart file is read, before its particles, with what each fix wrote:
+/// restores the planes of the run that wrote them, if the processor grid is the same.
+void restore_planes(LAMMPS_NS::LAMMPS* lmp, const char* fix_style, const char* state);
 
 /// While it exists, sub-domains are even for a fix that is made, if it is one that inserts: such
 /// fixes measure then what part of their region each rank has.
@@ -31,5 +30,3 @@ class EvenPlanes {
 };
 
 } // namespace ellipsoid_host
-
-#endif

@@ -48,14 +48,14 @@ int number_of_slabs(int columns, int parts) {
 
 /// Places of this rank's particles as fractions of the box.
 std::vector<std::array<double, 3>> fractions(LAMMPS* lmp) {
-  std::vector<std::array<double, 3>> places(static_cast<std::size_t>(lmp->atom->nlocal));
-  for (std::size_t i = 0; i < places.size(); ++i)
+  std::vector<std::array<double, 3>> result(static_cast<std::size_t>(lmp->atom->nlocal));
+  for (std::size_t i = 0; i < result.size(); ++i)
     for (int k = 0; k < 3; ++k) {
       const double x = lmp->atom->x[i][k];
-      places[i][static_cast<std::size_t>(k)] =
+      result[i][static_cast<std::size_t>(k)] =
           lmp->domain->triclinic ? x : (x - lmp->domain->boxlo[k]) / lmp->domain->prd[k];
     }
-  return places;
+  return result;
 }
 
 int part_of(double fraction, const std::vector<double>& planes) {
@@ -86,7 +86,7 @@ double least_fraction(LAMMPS* lmp, const BalanceSettings& settings, int k, int p
 class PlanesPlanner {
  public:
   PlanesPlanner(LAMMPS* lmp, const BalanceSettings& settings, double weight)
-      : lmp_(lmp), settings_(settings), weight_(weight), places_(fractions(lmp)),
+      : lmp_(lmp), settings_(settings), weight_(weight), fractions_(fractions(lmp)),
         planes_(present_planes(lmp)) {}
 
   BalancePlan plan() {
@@ -105,7 +105,7 @@ class PlanesPlanner {
   LAMMPS* lmp_;
   const BalanceSettings& settings_;
   double weight_;
-  std::vector<std::array<double, 3>> places_;
+  std::vector<std::array<double, 3>> fractions_;
   Planes planes_;
   double imbalance_ = HUGE_VAL; // of these planes, as long as none were planned
 
@@ -115,12 +115,12 @@ class PlanesPlanner {
     const int parts = lmp_->comm->procgrid[k];
     const int u = (k + 1) % 3, v = (k + 2) % 3, columns = lmp_->comm->nprocs / parts;
     ellipsoid::SlabWeights weights(columns, number_of_slabs(columns, parts));
-    for (const auto& place : places_) {
+    for (const auto& fraction : fractions_) {
       const auto part = [&](int d) {
-        return part_of(place[static_cast<std::size_t>(d)], planes(d));
+        return part_of(fraction[static_cast<std::size_t>(d)], planes(d));
       };
-      weights.add(part(u) * lmp_->comm->procgrid[v] + part(v), place[static_cast<std::size_t>(k)],
-                  weight_);
+      weights.add(part(u) * lmp_->comm->procgrid[v] + part(v),
+                  fraction[static_cast<std::size_t>(k)], weight_);
     }
     std::vector<double>& sums = weights.values();
     MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM,

@@ -2,8 +2,7 @@
 //
 // The planes that cut the box into sub-domains, one for each rank, and their shifting. Planes are
 // fractions of the box from 0 to 1, in direction k as many as ranks side by side and one more.
-#ifndef SUB_DOMAINS_H_
-#define SUB_DOMAINS_H_
+#pragma once
 
 #include <array>
 #include <vector>
@@ -52,5 +51,3 @@ BalancePlan balanced_planes(LAMMPS_NS::LAMMPS* lmp, const BalanceSettings& setti
 double imbalance(LAMMPS_NS::LAMMPS* lmp, double of_this_rank);
 
 } // namespace ellipsoid_host
-
-#endif

@@ -8,10 +8,11 @@
 #include "fix_property_atom.h"
 #include "host_mesh.h"
 #include "input.h"
+#include "model_settings.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "primitive_wall.h"
-#include "strict_settings.h"
+#include "surface_settings.h"
 #include "wall_law.h"
 
 #include <algorithm>
@@ -98,16 +99,17 @@ FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg)
   if (!complaint.empty())
     error->fix_error(FLERR, this, complaint.c_str());
   read_cylinder(narg, arg);
+  // the host has left iarg_ where the settings of the models begin
+  const LIGGGHTS::ModelSettings settings(narg - iarg_, arg + iarg_);
   if (multisphere) {
     choose_finder<ellipsoid_host::MultisphereBodies>();
-    rule_ = impl->get_history_offset("multicontact") ? ellipsoid::MulticontactRule::average
-                                                     : ellipsoid::MulticontactRule::sum;
+    rule_ = LCM::MulticontactSetting::in(settings);
   } else {
     choose_finder<ellipsoid_host::SmoothEllipsoids>();
   }
   const int at_primitive = cylinder_axis_ >= 0 ? 2 : 1; // tips of a smooth ellipsoid
   const bool many = multisphere || is_mesh_wall();
-  history_.set_size(many ? impl->get_history_offset("contacts") : at_primitive, dnum());
+  history_.set_size(many ? LCM::ContactsSetting::in(settings) : at_primitive, dnum());
 }
 
 /// The host's class of primitive walls keeps these values to itself.
@@ -216,9 +218,9 @@ void FixWallGranEllipsoid::forget_far_contacts() {
       history_.forget(fix_history_primitive_->array_atom[i]);
 }
 
-/// Of the wall's surface at a place in space. A cylinder that is not shifted along its axis turns
+/// Of the wall's surface at a point in space. A cylinder that is not shifted along its axis turns
 /// about it, with the angular velocity `shear`.
-Vector3 FixWallGranEllipsoid::primitive_velocity(const Vector3& place) const {
+Vector3 FixWallGranEllipsoid::primitive_velocity(const Vector3& point) const {
   double velocity[3] = {0.0, 0.0, 0.0};
   if (!shear_)
     return {};
@@ -227,7 +229,7 @@ Vector3 FixWallGranEllipsoid::primitive_velocity(const Vector3& place) const {
     return vector(velocity);
   }
   velocity[cylinder_axis_] = vshear_;
-  return cross(vector(velocity), place - vector(cylinder_centre_));
+  return cross(vector(velocity), point - vector(cylinder_centre_));
 }
 
 /// Returns whether there is, or may have been in the last step, a contact.
@@ -237,7 +239,7 @@ bool FixWallGranEllipsoid::find_and_apply_contacts(int i) {
   if (contacts_.empty() && !may_touch)
     return false;
   may_touch = contacts_.empty() ? 0 : 1;
-  double* row = dnum() > 0 ? take_history(i) : nullptr;
+  double* row = dnum() > 0 ? update_history(i) : nullptr;
   const double weight = multicontact_weight(rule_, std::max(1, static_cast<int>(contacts_.size())));
   for (std::size_t k = 0; k < contacts_.size(); ++k)
     apply(i, contacts_[k], row ? history_.values(row, k) : nullptr, weight);
@@ -245,7 +247,7 @@ bool FixWallGranEllipsoid::find_and_apply_contacts(int i) {
 }
 
 /// Gives the contacts their former values; returns the particle's row of the history.
-double* FixWallGranEllipsoid::take_history(int i) {
+double* FixWallGranEllipsoid::update_history(int i) {
   if (static_cast<int>(contacts_.size()) > history_.slots())
     error->one(FLERR,
                ("Fix wall/gran/ellipsoid (id " + std::string(id) + "): atom " +

@@ -58,9 +58,9 @@ class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
   void read_cylinder(int narg, char** arg);
   template <class Bodies> void choose_finder();
   void forget_far_contacts();
-  ellipsoid::Vector3 primitive_velocity(const ellipsoid::Vector3& place) const;
+  ellipsoid::Vector3 primitive_velocity(const ellipsoid::Vector3& point) const;
   bool find_and_apply_contacts(int particle);
-  double* take_history(int particle);
+  double* update_history(int particle);
   void apply(int particle, const ellipsoid::WallContact& contact, double* history, double weight);
   void prepare_for_mesh(int particle, const ellipsoid::WallContact& contact, FixMeshSurface* mesh,
                         LCM::SurfacesIntersectData& data);

@@ -2,8 +2,7 @@
 //
 // Finds the contacts of one particle with a wall: a class per kind of wall, for smooth ellipsoids
 // or for chains of spheres. Which one is chosen when the wall is set up.
-#ifndef ELLIPSOID_WALL_CONTACT_FINDER_H
-#define ELLIPSOID_WALL_CONTACT_FINDER_H
+#pragma once
 
 #include "atom.h"
 #include "ellipsoid_host.h"
@@ -128,5 +127,3 @@ template <class Bodies> class MeshContactFinder : public WallContactFinder {
 };
 
 } // namespace ellipsoid_host
-
-#endif

@@ -1,8 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // What is remembered of the contacts of a particle with a wall.
-#ifndef ELLIPSOID_WALL_HISTORY_H
-#define ELLIPSOID_WALL_HISTORY_H
+#pragma once
 
 #include "wall/wall_contact.h"
 
@@ -53,5 +52,3 @@ class WallHistory {
 };
 
 } // namespace ellipsoid_host
-
-#endif

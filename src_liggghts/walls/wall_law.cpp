@@ -22,7 +22,7 @@ std::size_t words_beside_law(const std::vector<std::string>& words, std::size_t 
                                                          {"store_force_contact_stress", 2},
                                                          {"allow_special_domain_periodic", 2}};
   const std::string& word = words[at];
-  if (word == "primitive") { // type T SHAPE, the place of a plane; radius and axis of a cylinder
+  if (word == "primitive") { // type T SHAPE, the position of a plane; radius and axis of a cylinder
     constexpr std::size_t shape = 3;
     const bool is_plane =
         at + shape < words.size() && words[at + shape].find("plane") != std::string::npos;

@@ -2,8 +2,7 @@
 //
 // The models and settings among the arguments of fix wall/gran/ellipsoid: what the history of its
 // contacts depends on, apart from where the wall is, how it moves and how hot it is.
-#ifndef ELLIPSOID_WALL_LAW_H
-#define ELLIPSOID_WALL_LAW_H
+#pragma once
 
 #include <string>
 #include <vector>
@@ -14,5 +13,3 @@ namespace ellipsoid_host {
 std::string wall_law(const std::vector<std::string>& words);
 
 } // namespace ellipsoid_host
-
-#endif

@@ -144,7 +144,7 @@ double WallMeshes::margin(const Particle& particle) const {
   return ellipsoid::wall_tolerance::same_plane * atom->radius[particle.particle];
 }
 
-void WallMeshes::take_triangles(const Particle& particle) {
+void WallMeshes::update_triangles(const Particle& particle) {
   triangles_.clear();
   for (std::size_t k = particle.first; k < particle.first + particle.count; ++k) {
     const bool is_moving = is_moving_[static_cast<std::size_t>(reach_[k].mesh)];

@@ -5,8 +5,7 @@
 // Which triangles are near a particle is taken from the host's lists when these are new. Of them
 // only some are looked at in a time step, those within reach: the others are farther from the
 // particle than it, and the meshes, have moved since their gaps were measured.
-#ifndef ELLIPSOID_WALL_MESHES_H
-#define ELLIPSOID_WALL_MESHES_H
+#pragma once
 
 #include "pointers.h"
 #include "wall/mesh_contact.h"
@@ -52,7 +51,7 @@ class WallMeshes : private LAMMPS_NS::Pointers {
       measure_gaps(particle, make_body());
     if (particle.count == 0)
       return false;
-    take_triangles(particle);
+    update_triangles(particle);
     return true;
   }
 
@@ -103,7 +102,7 @@ class WallMeshes : private LAMMPS_NS::Pointers {
   void collect_triangle(int mesh, int index, int groupbit);
   void follow_moving();
   double moved(const Particle& particle) const;
-  void take_triangles(const Particle& particle);
+  void update_triangles(const Particle& particle);
   double margin(const Particle& particle) const;
 
   template <class Body> void measure_gaps(Particle& particle, const Body& body) {
@@ -117,9 +116,9 @@ class WallMeshes : private LAMMPS_NS::Pointers {
         nearest_other = std::fmin(nearest_other, gap);
         continue;
       }
-      const std::size_t place = particle.first + particle.count++;
-      reach_[place] = pairs_[k];
-      reach_nodes_[place] = in_space;
+      const std::size_t n = particle.first + particle.count++;
+      reach_[n] = pairs_[k];
+      reach_nodes_[n] = in_space;
     }
     particle.free_way = nearest_other - margin(particle);
   }
@@ -128,5 +127,3 @@ class WallMeshes : private LAMMPS_NS::Pointers {
 };
 
 } // namespace ellipsoid_host
-
-#endif

@@ -286,7 +286,7 @@ TEST(ClumpContact, SwappedBodiesSeeTheSame) {
   }
 }
 
-TEST(ClumpContact, WatchKnowsEveryContactBetweenSearches) {
+TEST(ClumpContact, NearSpheresHoldEveryContactBetweenSearches) {
   const Body one(heap(20, {2.0, 1.0, 0.6})), other(disc(4));
   Random random;
   NearSpheres near;

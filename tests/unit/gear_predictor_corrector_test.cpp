@@ -4,6 +4,8 @@
 // against a second integrator, derivatives at the start.
 #include "motion/gear_predictor_corrector.h"
 
+#include "free_turn.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>

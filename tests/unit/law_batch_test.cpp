@@ -146,7 +146,7 @@ Vector3 paper_spring(Vector3 spring, const Vector3& velocity, double dt, const V
 }
 
 Vector3 expected_friction(const std::string& style, const Contact& c, const Normal& normal,
-                          const Vector3& velocity, const LawPass& pass, Vector3& spring) {
+                          const Vector3& velocity, const LawSettings& pass, Vector3& spring) {
   const double* p = c.parameters.values + LawParameters::of_tangential;
   const double limit = p[0] * std::fabs(normal.force);
   const Vector3& n = c.frame.normal;
@@ -190,7 +190,7 @@ Vector3 expected_friction(const std::string& style, const Contact& c, const Norm
 }
 
 Vector3 expected_rolling(const std::string& style, const Contact& c, const Normal& normal,
-                         const LawPass& pass, Vector3& remembered) {
+                         const LawSettings& pass, Vector3& remembered) {
   const double R = c.frame.reduced_radius, mu = c.parameters.values[LawParameters::of_rolling];
   const Vector3 rate = c.motion.omega_i - c.motion.omega_j;
   const auto resisted = [&](const Vector3& v) {
@@ -207,7 +207,7 @@ Vector3 expected_rolling(const std::string& style, const Contact& c, const Norma
 }
 
 /// What the laws do to contact c, and its memory after the step.
-ContactAction expected_action(const ContactLaws& laws, const LawPass& pass, Contact& c) {
+ContactAction expected_action(const ContactLaws& laws, const LawSettings& pass, Contact& c) {
   const Sliding motion = sliding(c);
   Normal normal = expected_normal(laws[LawKind::normal]->style, c, motion.approach);
   normal.kt *= pass.tangential_stiffness_factor;
@@ -293,7 +293,7 @@ TEST_P(LawBatchTest, PaperLawBitByBit) {
   int slipping = 0, sticking = 0;
   for (const char* direction : {"history/viscous", "history/viscous velocity"})
     for (const int variant : {0, 1, 2}) {
-      LawPass pass;
+      LawSettings pass;
       pass.time_step = 5e-6;
       pass.is_time_step = variant != 2;
       pass.no_attraction = variant == 1;
@@ -339,7 +339,7 @@ TEST_P(LawBatchTest, EveryLawAgainstItsFormula) {
   ASSERT_EQ(combinations.size(), 7U * 5U * 9U);
   for (std::size_t which = 0; which < combinations.size(); ++which) {
     const ContactLaws& chosen = combinations[which];
-    LawPass pass;
+    LawSettings pass;
     pass.time_step = 5e-6;
     pass.is_time_step = which % 3 != 0;
     pass.no_attraction = which % 2 == 0;
@@ -397,7 +397,7 @@ TEST(ContactLawBatch, ActionIsReaction) {
     seen_from_j.rolling_torque = -c.rolling_torque;
     add(back, seen_from_j);
   }
-  LawPass pass;
+  LawSettings pass;
   pass.time_step = 5e-6;
   const ContactLaws chosen = laws("hertz/viscous", "history/viscous", "sjkr2", "epsd2");
   forth.solve(chosen, pass);

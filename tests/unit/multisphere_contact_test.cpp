@@ -50,8 +50,8 @@ Loads brute_force(const MultispherePose& i, const MultispherePose& j,
   const LongVector d = wide(centre_distance);
   for (int k = 0; k < i.body->count(); ++k)
     for (int l = 0; l < j.body->count(); ++l) {
-      const LongVector ck = (1.0L * i.scale * i.body->centre(k)) * wide(i.axis);
-      const LongVector cl = d + (1.0L * j.scale * j.body->centre(l)) * wide(j.axis);
+      const LongVector ck = (1.0L * i.scale * i.body->abscissa(k)) * wide(i.axis);
+      const LongVector cl = d + (1.0L * j.scale * j.body->abscissa(l)) * wide(j.axis);
       const long double rk = 1.0L * i.scale * i.body->radius(k);
       const long double rl = 1.0L * j.scale * j.body->radius(l);
       const long double gap = length(cl - ck) - rk - rl;
@@ -118,7 +118,7 @@ double touching_distance(const MultispherePose& i, const MultispherePose& j,
   for (int k = 0; k < i.body->count(); ++k)
     for (int l = 0; l < j.body->count(); ++l) {
       const Vector3 offset =
-          (j.scale * j.body->centre(l)) * j.axis - (i.scale * i.body->centre(k)) * i.axis;
+          (j.scale * j.body->abscissa(l)) * j.axis - (i.scale * i.body->abscissa(k)) * i.axis;
       const double sum = i.scale * i.body->radius(k) + j.scale * j.body->radius(l);
       const double along = dot(offset, direction);
       const double discriminant = along * along - dot(offset, offset) + sum * sum;
@@ -249,8 +249,9 @@ TEST(MultisphereContact, ContactGeometry) {
     const Pair pair = random_pair(poses, a, a, 3.0);
     for_each_contact(pair.i, pair.j, pair.centre_distance, [&](const SphereContact& c) {
       const double size = size_of(pair);
-      const Vector3 ck = (pair.i.scale * a.centre(c.sphere_i)) * pair.i.axis;
-      const Vector3 cl = pair.centre_distance + (pair.j.scale * a.centre(c.sphere_j)) * pair.j.axis;
+      const Vector3 ck = (pair.i.scale * a.abscissa(c.sphere_i)) * pair.i.axis;
+      const Vector3 cl =
+          pair.centre_distance + (pair.j.scale * a.abscissa(c.sphere_j)) * pair.j.axis;
       EXPECT_NEAR(norm(c.normal), 1.0, 1e-15);
       EXPECT_GT(dot(c.normal, cl - ck), 0.0);
       EXPECT_GT(c.overlap, 0.0);
@@ -349,7 +350,7 @@ TEST(MultisphereContact, PlaneAgainstEverySphere) {
     const Vector3 n = poses.direction();
     double reach = 0.0;
     for (int k = 0; k < c.count(); ++k)
-      reach = std::fmax(reach, i.scale * (c.radius(k) + c.centre(k) * dot(i.axis, n)));
+      reach = std::fmax(reach, i.scale * (c.radius(k) + c.abscissa(k) * dot(i.axis, n)));
     const double depth =
         i.scale * (pose % 10 == 0 ? -1e-9 : std::pow(10.0, poses.uniform(-6., -0.3)));
     const Vector3 along = cross(n, poses.direction()); // any point of the plane will do
@@ -359,7 +360,7 @@ TEST(MultisphereContact, PlaneAgainstEverySphere) {
     EXPECT_EQ(found > 0, depth > 0.0);
     int expected = 0;
     for (int k = 0; k < c.count(); ++k) {
-      const Vector3 centre = (i.scale * c.centre(k)) * i.axis;
+      const Vector3 centre = (i.scale * c.abscissa(k)) * i.axis;
       const double overlap = i.scale * c.radius(k) + dot(centre - point, n);
       if (overlap <= 1e-14 * i.scale)
         continue;

@@ -39,8 +39,8 @@ Pairs closer_than(double gap, const MultispherePose& i, const MultispherePose& j
   Pairs pairs;
   for (int k = 0; k < i.body->count(); ++k)
     for (int l = 0; l < j.body->count(); ++l) {
-      const Vector3 distance = centre_distance + (j.scale * j.body->centre(l)) * j.axis -
-                               (i.scale * i.body->centre(k)) * i.axis;
+      const Vector3 distance = centre_distance + (j.scale * j.body->abscissa(l)) * j.axis -
+                               (i.scale * i.body->abscissa(k)) * i.axis;
       if (norm(distance) < i.scale * i.body->radius(k) + j.scale * j.body->radius(l) + gap)
         pairs.emplace_back(k, l);
     }
@@ -181,8 +181,8 @@ TEST(NearSpheres, MotionBoundsEverySphere) {
                                 random.uniform(0.9, 1.1)};
     const Vector3 displacement = random.vector(0.5);
     for (int k = 0; k < nine.count(); ++k) {
-      const Vector3 way = displacement + (after.scale * nine.centre(k)) * after.axis -
-                          (before.scale * nine.centre(k)) * before.axis;
+      const Vector3 way = displacement + (after.scale * nine.abscissa(k)) * after.axis -
+                          (before.scale * nine.abscissa(k)) * before.axis;
       const double grown = std::fabs(after.scale - before.scale) * nine.radius(k);
       const Motion bound = motion(before, after, displacement);
       EXPECT_LE(norm(way - bound.displacement) + grown, bound.turn * (1.0 + 1e-14) + 1e-15);

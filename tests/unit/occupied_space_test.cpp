@@ -103,8 +103,8 @@ TEST(SolidBody, ChainsOverlapWhereSpheresDo) {
     bool touching = false;
     for (int p = 0; p < slender.count(); ++p)
       for (int q = 0; q < round.count(); ++q) {
-        const Vector3 d = j.centre + (1.4 * round.centre(q)) * j.spheres.axis -
-                          (i.centre + (0.9 * slender.centre(p)) * i.spheres.axis);
+        const Vector3 d = j.centre + (1.4 * round.abscissa(q)) * j.spheres.axis -
+                          (i.centre + (0.9 * slender.abscissa(p)) * i.spheres.axis);
         touching = touching || norm(d) < 0.9 * slender.radius(p) + 1.4 * round.radius(q);
       }
     EXPECT_EQ(overlap(i, j), touching);
@@ -114,7 +114,7 @@ TEST(SolidBody, ChainsOverlapWhereSpheresDo) {
     bool touches_ball = false;
     for (int p = 0; p < slender.count(); ++p)
       touches_ball =
-          touches_ball || norm(j.centre - i.centre - (0.9 * slender.centre(p)) * i.spheres.axis) <
+          touches_ball || norm(j.centre - i.centre - (0.9 * slender.abscissa(p)) * i.spheres.axis) <
                               0.9 * slender.radius(p) + 1.4;
     EXPECT_EQ(overlap(i, ball), touches_ball);
     EXPECT_EQ(overlap(ball, i), touches_ball);

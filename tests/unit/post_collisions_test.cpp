@@ -36,7 +36,7 @@ ParticleSet pair(double distance, double approach) {
 
 /// The next frame, with the contacts that its positions have.
 std::vector<Collision> following(Collisions& collisions, const ParticleSet& set, double time) {
-  return collisions.take(set, touching_pairs(set), time);
+  return collisions.advance(set, touching_pairs(set), time);
 }
 
 TEST(Collisions, one_hertz_collision) {

@@ -279,7 +279,7 @@ TEST(Contacts, links_of_force_chains) {
     set.particles.back().id = id;
   }
   Frame list;
-  list.place = {"list", 10, 1};
+  list.location = {"list", 10, 1};
   list.rows = 4;
   list.names = {"i", "j", "fx", "fy", "fz", "nx", "ny", "nz"};
   list.columns = {{3, 5, 9, 5}, {5, 3, 5, 9}, {3, -1, 0, 0}, {4, 0, 2, 0},
@@ -350,7 +350,7 @@ TEST(SpacePicture, an_ellipsoid_throws_the_shadow_of_its_projection) {
   }
 }
 
-TEST(SpacePicture, a_chosen_part_of_the_space_sets_scale_and_place) {
+TEST(SpacePicture, a_chosen_part_of_the_space_sets_scale_and_position) {
   ParticleSet set;
   set.particles.push_back(ball(0.5, {2.0, 3.0, 4.0}));
   SpaceView view;
@@ -447,6 +447,18 @@ TEST(Energy, of_a_spinning_ellipsoid) {
   set.has_velocities = false;
   EXPECT_THROW(energy(set, options), InputError);
 }
+
+namespace {
+
+/// Positive when the triangles are turned outwards.
+double enclosed_volume(const SurfaceMesh& mesh) {
+  double volume = 0.0;
+  for (const auto& t : mesh.triangles)
+    volume += dot(mesh.points[t[0]], cross(mesh.points[t[1]], mesh.points[t[2]])) / 6.0;
+  return volume;
+}
+
+} // namespace
 
 TEST(SurfaceMesh, encloses_the_volume_and_is_closed) {
   const MultisphereTemplate chain = make_multisphere(2.7, 1.15, 9);

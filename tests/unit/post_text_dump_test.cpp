@@ -79,7 +79,7 @@ TEST(TextDump, gives_header_and_values) {
   EXPECT_EQ(frame.rows, 0u);
   ASSERT_TRUE(reader.next(frame));
   EXPECT_EQ(frame.timestep, 100);
-  EXPECT_EQ(frame.place.frame, 2u);
+  EXPECT_EQ(frame.location.frame, 2u);
   EXPECT_EQ(frame.box.boundary, "mm mm ff");
   EXPECT_EQ(frame.box.lower[1], -0.005);
   EXPECT_EQ(frame.box.upper[0], 0.5);

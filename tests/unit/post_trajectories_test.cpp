@@ -42,8 +42,8 @@ TEST(Trajectories, free_flight_and_spin) {
   constexpr double step = 0.1;
   Trajectories one(1, 1), many(10, 3);
   for (int n = 0; n < frames; ++n) {
-    one.take(flight(step * n, count), tilted);
-    many.take(flight(step * n, count), tilted);
+    one.add(flight(step * n, count), tilted);
+    many.add(flight(step * n, count), tilted);
   }
   for (const std::size_t lag : {std::size_t{0}, std::size_t{7}, std::size_t{39}}) {
     const double t = step * static_cast<double>(lag);
@@ -74,7 +74,7 @@ TEST(Trajectories, the_long_axis_forgets_its_direction_as_it_turns) {
   for (int n = 0; n < 10; ++n) {
     ParticleSet set = flight(0.0, 1);
     set.particles[0].orientation = turn_about({0.0, 0.0, 1.0}, 0.2 * n); // long axis: y
-    one.take(set, tilted);
+    one.add(set, tilted);
   }
   EXPECT_NEAR(one.means(9).direction, std::cos(1.8), 1e-12);
   EXPECT_NEAR(one.means(9).direction_p2, 1.5 * std::pow(std::cos(1.8), 2) - 0.5, 1e-12);
@@ -82,9 +82,9 @@ TEST(Trajectories, the_long_axis_forgets_its_direction_as_it_turns) {
 
 TEST(Trajectories, particles_that_were_away_begin_anew) {
   Trajectories one(1, 1);
-  one.take(flight(0.0, 2), tilted);
-  one.take(flight(0.1, 1), tilted);
-  one.take(flight(0.2, 2), tilted);
+  one.add(flight(0.0, 2), tilted);
+  one.add(flight(0.1, 1), tilted);
+  one.add(flight(0.2, 2), tilted);
   EXPECT_EQ(one.means(1).pairs, 1u);
   EXPECT_NEAR(norm(one.way(13)), 0.0, 1e-12);
 }
@@ -152,26 +152,26 @@ TEST(Flow, made_crossings_are_counted) {
   for (const Expected& e : {Expected{plane, 1.0 + 2.0, 3.0}, Expected{disc, 1.0, 0.0},
                             Expected{face, 1.0 + 2.0, 0.0}}) {
     FlowThrough flow(e.gate);
-    EXPECT_FALSE(flow.take(frame(-0.2, -0.3, 0.4), open, {}));
-    EXPECT_EQ(flow.take(frame(-0.15, -0.2, 0.3), open, {})->mass_forward, 0.0);
-    const FlowStep step = *flow.take(frame(0.3, 0.4, -0.5), open, {});
+    EXPECT_FALSE(flow.advance(frame(-0.2, -0.3, 0.4), open, {}));
+    EXPECT_EQ(flow.advance(frame(-0.15, -0.2, 0.3), open, {})->mass_forward, 0.0);
+    const FlowStep step = *flow.advance(frame(0.3, 0.4, -0.5), open, {});
     EXPECT_EQ(step.mass_forward, e.forward);
     EXPECT_EQ(step.mass_backward, e.backward);
-    const FlowStep gone = *flow.take(ParticleSet{}, open, {});
+    const FlowStep gone = *flow.advance(ParticleSet{}, open, {});
     EXPECT_EQ(gone.vanished, 3u);
   }
   // half of a body has passed when its centre reaches the plane
   FlowThrough flow(plane);
-  flow.take(frame(-0.2, -0.3, 0.4), open, {});
-  const FlowStep half = *flow.take(frame(0.0, -0.3, 0.4), open, {});
+  flow.advance(frame(-0.2, -0.3, 0.4), open, {});
+  const FlowStep half = *flow.advance(frame(0.0, -0.3, 0.4), open, {});
   EXPECT_NEAR(*half.volume_share_mass, 0.5, 1e-12);
   // around a periodic box: the plane is passed by the way of the nearest image
   const PeriodicCell cell({0.0, 0.0, -0.5},
                           {Vector3{9.0, 0.0, 0.0}, Vector3{0.0, 9.0, 0.0}, Vector3{0.0, 0.0, 1.0}},
                           {false, false, true});
   FlowThrough around({{0.0, 0.0, 0.49}, {0.0, 0.0, 1.0}, {}, {}});
-  around.take(frame(0.48, 0.0, 0.0), cell, {});
-  const FlowStep passed = *around.take(frame(-0.45, 0.0, 0.0), cell, {});
+  around.advance(frame(0.48, 0.0, 0.0), cell, {});
+  const FlowStep passed = *around.advance(frame(-0.45, 0.0, 0.0), cell, {});
   EXPECT_EQ(passed.forward, 1u);
   EXPECT_EQ(passed.mass_forward, 1.0);
   EXPECT_FALSE(passed.volume_share_mass);
@@ -181,10 +181,10 @@ TEST(Flow, made_crossings_are_counted) {
                           {true, false, false});
   for (const FlowGate& gate : {plane, FlowGate{{5.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, 0.5, {}}}) {
     FlowThrough beside(gate);
-    beside.take(frame(-1.0, -1.0, -0.2), wide, {});
+    beside.advance(frame(-1.0, -1.0, -0.2), wide, {});
     ParticleSet moved = frame(-1.0, -1.0, 0.3);
     moved.particles[2].centre.x = -5.0; // from 5.0, through the end of the box at 5.1
-    const FlowStep once = *beside.take(moved, wide, {});
+    const FlowStep once = *beside.advance(moved, wide, {});
     EXPECT_EQ(once.forward, 1u);
     EXPECT_NEAR(*once.volume_share_mass, 3.0, 1e-12);
   }

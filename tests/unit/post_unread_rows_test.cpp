@@ -37,12 +37,12 @@ TEST(UnreadRows, are_whole_lines_of_the_frame) {
   Frame frame;
   ASSERT_TRUE(reader.next_unread(frame));
   EXPECT_EQ(frame.unread, "1 0 0 0 1\n2 5 0 0 1\n");
-  EXPECT_EQ(frame.place.line, 10u);
+  EXPECT_EQ(frame.location.line, 10u);
   read_rows(frame);
   EXPECT_TRUE(frame.unread.empty());
   EXPECT_EQ(frame.required("x", "")[1], 5.0);
   ASSERT_TRUE(reader.next_unread(frame));
-  EXPECT_EQ(frame.place.line, 21u);
+  EXPECT_EQ(frame.location.line, 21u);
   EXPECT_FALSE(reader.next_unread(frame));
 }
 
@@ -68,7 +68,7 @@ TEST(UnreadRows, are_held_up_to_a_number_of_bytes) {
   EXPECT_EQ(frame.required("radius", "").size(), 200u);
   EXPECT_EQ(frame.required("radius", "")[199], 1.0);
   ASSERT_TRUE(reader.next_unread(frame));
-  EXPECT_EQ(frame.place.line, 219u);
+  EXPECT_EQ(frame.location.line, 219u);
 }
 
 /// Something is wrong behind `whole` good frames.

@@ -4,6 +4,8 @@
 #include "motion/planar_motion.h"
 #include "motion/rigid_body.h"
 
+#include "free_turn.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
@@ -28,6 +30,18 @@ Vector3 any_vector(std::mt19937& random) {
 double distance(const Quaternion& p, const Quaternion& q) {
   return std::sqrt((p.w - q.w) * (p.w - q.w) + (p.x - q.x) * (p.x - q.x) +
                    (p.y - q.y) * (p.y - q.y) + (p.z - q.z) * (p.z - q.z));
+}
+
+/// A body turned about the space z axis by the first half of a planar step.
+Quaternion rotate_about_z(const Quaternion& q, double angle) {
+  double centre[3] = {}, velocity[3] = {}, force[3] = {}, omega[3] = {}, torque[3] = {};
+  double momentum[3] = {0.0, 0.0, angle}, orientation[4] = {q.w, q.x, q.y, q.z};
+  const double one = 1.0;
+  const int group = 1;
+  start_planar_step(
+      {centre, velocity, force, omega, momentum, torque, orientation, &one, &one, &group, group}, 1,
+      1.0, 0.5);
+  return {orientation[0], orientation[1], orientation[2], orientation[3]};
 }
 
 Quaternion rotate_in_steps(Quaternion q, const Vector3& momentum, double time, int steps) {

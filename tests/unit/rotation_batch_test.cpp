@@ -3,6 +3,8 @@
 // Bodies turned in batches against bodies turned one by one: the same bits.
 #include "motion/rotation_batch.h"
 
+#include "free_turn.h"
+
 #include <gtest/gtest.h>
 
 #include <random>

@@ -83,6 +83,18 @@ Pose make_pose(PairGenerator& random, TriangleFeature feature, Family family, do
   return p;
 }
 
+/// The smaller of the minima.
+template <class Body>
+TriangleContact find_triangle_contact(const Body& body, const Triangle& triangle) {
+  TriangleContacts c = find_face_contact(body, triangle);
+  if (c.boundary_may_touch)
+    c.boundary = find_boundary_contact(body, triangle);
+  const bool boundary =
+      c.boundary.feature != TriangleFeature::none &&
+      (c.face.feature == TriangleFeature::none || c.boundary.overlap < c.face.overlap);
+  return boundary ? c.boundary : c.face_is_missed ? TriangleContact{} : c.face;
+}
+
 TriangleContact solve(const Pose& p) {
   return find_triangle_contact(EllipsoidBody(p.body.semiaxes, p.body.orientation), p.triangle);
 }

@@ -13,10 +13,10 @@ namespace {
 
 /// The warning, or an empty string.
 std::string digits_warning(const Frame& frame, const ParticleSet& set) {
-  constexpr std::size_t looked_at = 200;
+  constexpr std::size_t sampled = 200;
   bool is_six_digits = true, is_single = true;
   double farthest = 0.0;
-  for (std::size_t k = 0; k < std::min(looked_at, set.particles.size()); ++k)
+  for (std::size_t k = 0; k < std::min(sampled, set.particles.size()); ++k)
     for (const double x : {set.particles[k].centre.x, set.particles[k].centre.y}) {
       is_six_digits = is_six_digits && std::strtod(fmt::format("{:.6g}", x).c_str(), nullptr) == x;
       is_single = is_single && static_cast<double>(static_cast<float>(x)) == x;
@@ -29,7 +29,7 @@ std::string digits_warning(const Frame& frame, const ParticleSet& set) {
   const double b = mean_smallest_axis(set, all_members(set));
   return fmt::format("{}: positions have {}, an error of {:.1e} b: contacts and overlaps from them "
                      "are blurred; use a text dump with `dump_modify ID format \"... %.16g ...\"`",
-                     frame.place.file, is_single ? "single precision" : "six digits", error / b);
+                     frame.location.file, is_single ? "single precision" : "six digits", error / b);
 }
 
 } // namespace
@@ -37,7 +37,7 @@ std::string digits_warning(const Frame& frame, const ParticleSet& set) {
 void warn_of_digits(const ChosenFrame& chosen) {
   const std::string warning = digits_warning(chosen.frame, chosen.set);
   if (!warning.empty())
-    report_warning(warning, "digits of " + chosen.frame.place.file); // once per file is enough
+    report_warning(warning, "digits of " + chosen.frame.location.file); // once per file is enough
 }
 
 void warn_of_own_images(const ChosenFrame& chosen, const ContactNetwork& network) {

@@ -24,7 +24,7 @@ int FrameChooser::read(const std::vector<std::string>& files) {
   try {
     FrameStream stream(files);
     while (!m_is_done && next_of(stream))
-      take();
+      choose();
   } catch (const InputError& error) {
     collect_all();
     if (!m_is_unreadable)
@@ -65,7 +65,7 @@ std::string FrameChooser::no_frame() const {
                          : fmt::format("time steps {} to {}", m_first_step, m_last_step));
 }
 
-void FrameChooser::take() {
+void FrameChooser::choose() {
   if (m_seen == 0 && !m_frame.units.empty() && m_frame.units != "si")
     report_warning(fmt::format("{}: the file is in units '{}'; tables and pictures name those of "
                                "'si', the numbers are the file's",
@@ -73,8 +73,8 @@ void FrameChooser::take() {
   if (m_seen > 0 && m_frame.timestep <= m_last_step)
     report_warning(fmt::format("{}: frame {} of {} is of time step {}, after one of {}: frames are "
                                "repeated or not in the order of time",
-                               m_run, m_frame.place.frame, m_frame.place.file, m_frame.timestep,
-                               m_last_step),
+                               m_run, m_frame.location.frame, m_frame.location.file,
+                               m_frame.timestep, m_last_step),
                    "order of " + m_run);
   m_first_step = m_seen++ == 0 ? m_frame.timestep : m_first_step;
   m_last_step = m_frame.timestep;
@@ -99,7 +99,7 @@ void FrameChooser::hand_over(Frame& frame) {
   }
   Outcome outcome;
   measure(frame, outcome);
-  finish(outcome);
+  report(outcome);
 }
 
 void FrameChooser::hand_to_workers(Frame& frame) {
@@ -147,14 +147,14 @@ void FrameChooser::measure(const Frame& frame, Outcome& outcome) const {
   } catch (const InputError& error) {
     const std::string what = error.what();
     outcome.reason = what;
-    const bool names_place = what.find(frame.place.file) != std::string::npos;
-    outcome.error = names_place ? what
-                                : fmt::format("{}: frame {} (time step {}): {}", frame.place.file,
-                                              frame.place.frame, frame.timestep, what);
+    const bool names_file = what.find(frame.location.file) != std::string::npos;
+    outcome.error = names_file ? what
+                               : fmt::format("{}: frame {} (time step {}): {}", frame.location.file,
+                                             frame.location.frame, frame.timestep, what);
   }
 }
 
-void FrameChooser::finish(const Outcome& outcome) {
+void FrameChooser::report(const Outcome& outcome) {
   if (m_is_unreadable)
     return;
   for (const Warning& warning : outcome.warnings)
@@ -177,7 +177,7 @@ void FrameChooser::collect_oldest() {
   m_waiting.pop_front();
   m_rows_waiting -= oldest.frame->rows;
   m_text_waiting -= oldest.text;
-  finish(oldest.outcome.get());
+  report(oldest.outcome.get());
   m_free.push_back(std::move(oldest.frame));
 }
 

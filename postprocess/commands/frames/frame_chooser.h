@@ -35,7 +35,7 @@ class FrameChooser {
  private:
   /// What became of a frame: an error message, or what to do with its measures.
   struct Outcome {
-    std::string error, reason; ///< the reason is the error without its place
+    std::string error, reason; ///< the reason is the error without its location
     Collect collect;
     bool is_unreadable = false; ///< what follows in the file does not count
     std::vector<Warning> warnings;
@@ -48,12 +48,12 @@ class FrameChooser {
 
   bool next_of(FrameStream& stream);
   std::string no_frame() const;
-  void take();
+  void choose();
   void hand_over(Frame& frame);
   void hand_to_workers(Frame& frame);
   Outcome outcome_of(Frame& frame) const;
   void measure(const Frame& frame, Outcome& outcome) const;
-  void finish(const Outcome& outcome);
+  void report(const Outcome& outcome);
   void collect_oldest();
   void collect_all();
 

@@ -11,7 +11,7 @@ namespace ellipsoid::post {
 namespace {
 
 std::optional<Vector3> logged_gravity(const ChosenFrame& chosen) {
-  const RunLog* log = run_log_of(chosen.frame.place.file);
+  const RunLog* log = run_log_of(chosen.frame.location.file);
   return log ? log->gravity : std::nullopt;
 }
 

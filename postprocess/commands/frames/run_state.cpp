@@ -11,7 +11,7 @@
 namespace ellipsoid::post {
 
 void append_completeness(Row& row, const ChosenFrame& chosen) {
-  const RunLog* log = run_log_of(chosen.frame.place.file);
+  const RunLog* log = run_log_of(chosen.frame.location.file);
   Value state(std::string("unknown"));
   if (const std::optional<bool> is_complete = log ? log->is_complete() : std::nullopt) {
     state = *is_complete;

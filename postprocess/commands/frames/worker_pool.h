@@ -24,7 +24,7 @@ class WorkerPool {
       const std::lock_guard<std::mutex> lock(m_mutex);
       m_is_closed = true;
     }
-    m_wakes.notify_all();
+    m_has_task.notify_all();
     for (std::thread& thread : m_threads)
       thread.join();
   }
@@ -39,7 +39,7 @@ class WorkerPool {
       const std::lock_guard<std::mutex> lock(m_mutex);
       m_tasks.emplace_back([packaged] { (*packaged)(); });
     }
-    m_wakes.notify_one();
+    m_has_task.notify_one();
     return result;
   }
 
@@ -49,7 +49,7 @@ class WorkerPool {
       std::function<void()> task;
       {
         std::unique_lock<std::mutex> lock(m_mutex);
-        m_wakes.wait(lock, [this] { return m_is_closed || !m_tasks.empty(); });
+        m_has_task.wait(lock, [this] { return m_is_closed || !m_tasks.empty(); });
         if (m_tasks.empty())
           return;
         task = std::move(m_tasks.front());
@@ -60,7 +60,7 @@ class WorkerPool {
   }
 
   std::mutex m_mutex;
-  std::condition_variable m_wakes;
+  std::condition_variable m_has_task;
   std::deque<std::function<void()>> m_tasks;
   bool m_is_closed = false;
   std::vector<std::thread> m_threads;

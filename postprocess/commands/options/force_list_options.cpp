@@ -8,22 +8,21 @@
 namespace ellipsoid::post {
 namespace {
 
+/// Of the lists that `list` names: columns of ids, points, forces and normals.
+/// @param[in] ids name of the option, @param[in] particles per contact
 void add_columns(CLI::App& command, CLI::Option* list, const std::string& prefix,
-                 const std::string& of_what, ForceColumns& columns) {
-  command
-      .add_option("--" + prefix + "point-columns", columns.points,
-                  of_what + ": x y z of the contact point")
-      ->expected(3)
-      ->needs(list);
-  CLI::Option* forces = command.add_option("--" + prefix + "force-columns", columns.forces,
-                                           of_what + ": x y z of the force on the particle");
-  forces->expected(3)->needs(list);
-  list->needs(forces);
-  command
-      .add_option("--" + prefix + "normal-columns", columns.normals,
-                  of_what + ": x y z of the normal, for the fabric")
-      ->expected(3)
-      ->needs(list);
+                 const std::string& of_what, const std::string& ids, int particles,
+                 ForceColumns& columns) {
+  const auto add = [&](const std::string& name, std::vector<std::string>& values,
+                       const std::string& what, int count) {
+    CLI::Option* option = command.add_option("--" + prefix + name, values, of_what + ": " + what);
+    return option->expected(count)->needs(list);
+  };
+  list->needs(add(ids, columns.ids,
+                  particles == 1 ? "id of the particle" : "ids of the two particles", particles));
+  add("point-columns", columns.points, "x y z of the contact point", 3);
+  list->needs(add("force-columns", columns.forces, "x y z of the force on the particle", 3));
+  add("normal-columns", columns.normals, "x y z of the normal, for the fabric", 3);
 }
 
 } // namespace
@@ -31,22 +30,15 @@ void add_columns(CLI::App& command, CLI::Option* list, const std::string& prefix
 void add_force_list_options(CLI::App& command, ForceListOptions& options) {
   CLI::Option* contacts = command.add_option("--contacts", options.contacts,
                                              "lists (dump local) of contacts between particles");
-  CLI::Option* ids = command.add_option("--id-columns", options.contact_columns.ids,
-                                        "of the contacts: ids of the two particles");
-  ids->expected(2)->needs(contacts);
-  contacts->needs(ids);
-  add_columns(command, contacts, "", "of the contacts", options.contact_columns);
+  add_columns(command, contacts, "", "of the contacts", "id-columns", 2, options.contact_columns);
   command
       .add_flag("--force-on-second", options.is_on_second,
                 "the listed forces are those on the second particle")
       ->needs(contacts);
   CLI::Option* walls = command.add_option("--wall-contacts", options.walls,
                                           "lists (dump local) of contacts with walls");
-  CLI::Option* id = command.add_option("--wall-id-column", options.wall_columns.ids,
-                                       "of the contacts with walls: id of the particle");
-  id->expected(1)->needs(walls);
-  walls->needs(id);
-  add_columns(command, walls, "wall-", "of the contacts with walls", options.wall_columns);
+  add_columns(command, walls, "wall-", "of the contacts with walls", "id-column", 1,
+              options.wall_columns);
 }
 
 ForceLists::ForceLists(const ForceListOptions& options)
@@ -63,11 +55,12 @@ std::vector<ForceContact> ForceLists::at(std::int64_t timestep, const ParticleSe
       for (ForceContact& contact : all)
         contact.force = -contact.force;
     if (forces_pull(all, set, cell))
-      throw InputError(fmt::format(
-          "{}: time step {}: the forces pull the particles together: {}", list.place.file, timestep,
-          m_options.is_on_second ? "leave out --force-on-second"
-                                 : "if they act on the second particle of each row, give "
-                                   "--force-on-second"));
+      throw InputError(fmt::format("{}: time step {}: the forces pull the particles together: {}",
+                                   list.location.file, timestep,
+                                   m_options.is_on_second
+                                       ? "leave out --force-on-second"
+                                       : "if they act on the second particle of each row, give "
+                                         "--force-on-second"));
   }
   if (m_options.walls.empty())
     return all;
@@ -76,7 +69,7 @@ std::vector<ForceContact> ForceLists::at(std::int64_t timestep, const ParticleSe
   if (forces_pull(walls, set, cell))
     throw InputError(fmt::format("{}: time step {}: the forces pull the particles to the walls: "
                                  "expected the force on the particle",
-                                 list.place.file, timestep));
+                                 list.location.file, timestep));
   all.insert(all.end(), walls.begin(), walls.end());
   return all;
 }

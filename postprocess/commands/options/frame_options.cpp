@@ -34,8 +34,7 @@ void add_size_options(CLI::App& command, ParticleOptions& particles) {
             particles.spacing = sphere_spacing_from_word(word);
           },
           "spacing of these sub-spheres: paper (default), minimax_outline, minimax_area, medial, "
-          "minimax_volume, "
-          "paper_touching")
+          "minimax_volume, paper_touching")
       ->check(check_by([](const std::string& word) { sphere_spacing_from_word(word); }));
   command
       .add_option(
@@ -100,8 +99,7 @@ void add_frame_options(CLI::App& command, FrameOptions& options, FrameUse use) {
       .add_option(
           "runs", options.runs,
           "dump files (compressed too, \"-\": standard input); files that differ only in their "
-          "time "
-          "step are one run, and so is a quoted pattern 'dump.*'; every other file is a run")
+          "time step are one run, and so is a quoted pattern 'dump.*'; every other file is a run")
       ->required();
   auto* one_run = command.add_flag("--one-run", options.one_run, "all files together are one run");
   options.takes_one_run = use == FrameUse::one_series;

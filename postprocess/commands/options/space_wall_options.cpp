@@ -92,7 +92,7 @@ std::vector<SpaceWall> walls_of_log(const std::string& log) {
   };
   std::vector<SpaceWall> walls;
   for (const PrimitivePlane& plane : named.planes)
-    walls.push_back(SheetWall{plane.place * unit(plane.axis), unit(plane.axis)});
+    walls.push_back(SheetWall{plane.position * unit(plane.axis), unit(plane.axis)});
   for (const PrimitiveCylinder& c : named.cylinders)
     walls.push_back(
         CylinderWall{c.middle[0] * unit((c.axis + 1) % 3) + c.middle[1] * unit((c.axis + 2) % 3),

@@ -36,7 +36,7 @@ namespace {
 std::optional<double> time_of(const ChosenFrame& chosen) {
   if (chosen.frame.time)
     return chosen.frame.time;
-  const RunLog* log = run_log_of(chosen.frame.place.file);
+  const RunLog* log = run_log_of(chosen.frame.location.file);
   if (!log || !log->time_step)
     return std::nullopt;
   return *log->time_step * static_cast<double>(chosen.frame.timestep);

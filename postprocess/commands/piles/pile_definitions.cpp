@@ -11,20 +11,17 @@ const char* const pile_definition =
     "discs) at x, computed exactly as a chain of arcs; the floor where there is no particle.";
 
 const char* const repose_definition =
-    "Angle of repose (paper, section 4.2.1): atan(-slope) of the least squares line "
-    "y = p + slope x through y_max(x), in columns 0.05 b apart (--columns), from A to B. "
-    "h(x) is the mean of y_max over x +- a (one particle length), H its largest value, at x_H. A "
-    "is "
-    "the first column from x_H downhill with h < (1 - cut_top) H, B the last one before h first "
-    "falls below cut_bottom H: particles that rolled off and lie beyond do not count. Both cuts "
-    "are "
-    "0.2 by default: about four particle lengths at top and bottom of the paper's pile of 1000; "
-    "60 % of the slope remain.\n"
+    "Angle of repose (paper, section 4.2.1): atan(-slope) of the least squares line y = p + slope "
+    "x through y_max(x), in columns 0.05 b apart (--columns), from A to B. h(x) is the mean of "
+    "y_max over x +- a (one particle length), H its largest value, at x_H. A is the first column "
+    "from x_H downhill with h < (1 - cut_top) H, B the last one before h first falls below "
+    "cut_bottom H: particles that rolled off and lie beyond do not count. Both cuts are 0.2 by "
+    "default: about four particle lengths at top and bottom of the paper's pile of 1000; 60 % of "
+    "the slope remain.\n"
     "Standard error: s / sqrt(S_xx) sqrt(n / m) / (1 + slope^2), s^2 = sum of squared residuals / "
     "(n - 2), n columns, m = length of A-B over 2a: columns on one particle are not independent.\n"
     "Without a wall (--no-wall) both flanks are fitted; the angle is the mean of both, its "
-    "standard "
-    "error sqrt(left^2 + right^2) / 2.";
+    "standard error sqrt(left^2 + right^2) / 2.";
 
 const char* const porosity_definition =
     "Porosity (paper, section 4.2.2): 1 - solid / total. total: area between floor, wall and "

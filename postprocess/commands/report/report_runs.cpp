@@ -71,12 +71,12 @@ ReportedRun reported(const ReportOptions& options, const ChosenFrame& chosen) {
     run.picture = picture_in_space(turned_upright(chosen.set, up_direction("", chosen).axis),
                                    run.title, count_of_runs(options.frames));
   }
-  if (const RunLog* log = run_log_of(chosen.frame.place.file)) {
+  if (const RunLog* log = run_log_of(chosen.frame.location.file)) {
     run.log = log_row(chosen.run, *log);
     if (is_pile)
       run.differences = differences_from_paper(*log);
   }
-  run.view_page = view_page_beside(chosen.frame.place.file, options.output);
+  run.view_page = view_page_beside(chosen.frame.location.file, options.output);
   return run;
 }
 

@@ -1,8 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// What particles weigh by their place along one direction of a box that is cut by planes: the box
-// is divided into thin slabs of equal thickness, and those into the columns that planes across the
-// other directions make. Planes lie between slabs.
+// What particles weigh by their position along one direction of a box that is cut by planes: the
+// box is divided into thin slabs of equal thickness, and those into the columns that planes across
+// the other directions make. Planes lie between slabs.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ class SlabWeights {
   int columns() const { return columns_; }
   int slabs() const { return slabs_; }
 
-  /// @param[in] fraction place in the box from 0 to 1; what lies outside counts as at the end
+  /// @param[in] fraction position in the box from 0 to 1; what lies outside counts as at the end
   /// @param[in] weight >= 0
   void add(int column, double fraction, double weight) {
     const int slab = static_cast<int>(std::clamp(fraction * slabs_, 0.0, slabs_ - 1.0));

@@ -40,15 +40,15 @@ struct Work {
 };
 
 /// One pair, from the normal in the columns `normal_column` and the two after it of `normals`.
-template <class Place, class Normals> struct PairSearch {
+template <class Space, class Normals> struct PairSearch {
   using C = Columns;
-  using Vector = typename Place::Vector;
-  using Matrix = typename Place::Matrix;
+  using Vector = typename Space::Vector;
+  using Matrix = typename Space::Matrix;
   Columns& c;
   Work& w;
   const Normals& normals;
   int normal_column;
-  Place at;
+  Space at;
 
   Matrix a_i() const { return at.matrix(c.in, C::axx_i); }
   Matrix a_j() const { return at.matrix(c.in, C::axx_j); }
@@ -105,7 +105,7 @@ template <class Place, class Normals> struct PairSearch {
   }
 
   /// Largest (semi-axis / s)^2 of the two, or some more: how fast the radii of curvature change
-  /// beside a flat place, where they are largest (1 / rad^2).
+  /// beside a flat spot, where they are largest (1 / rad^2).
   double flatness(const OverlapFunction<Vector>& f) const {
     const double i = trace(a_i()) * f.inverse_support_i * f.inverse_support_i,
                  j = trace(a_j()) * f.inverse_support_j * f.inverse_support_j;
@@ -134,12 +134,12 @@ template <class Place, class Normals> struct PairSearch {
     const double r_i = c.in[C::product_i][at.k] * g.inverse_support_i * g.inverse_support_i;
     const double r_j = c.in[C::product_j][at.k] * g.inverse_support_j * g.inverse_support_j;
     const double det_sum = tangent_determinant(curvature_radii_sum(a_i(), a_j(), g));
-    const bool open = is_first ? true : c.out[C::open][at.k] != 0.0;
+    const bool unsolved = is_first ? true : c.out[C::unsolved][at.k] != 0.0;
     const auto result = [&](int column, double value) {
-      c.out[column][at.k] = open ? value : c.out[column][at.k];
+      c.out[column][at.k] = unsolved ? value : c.out[column][at.k];
     };
     const auto result_vector = [&](int column, const Vector& v) {
-      at.put(c.out, column, is_first ? v : chosen(open, v, at.vector(c.out, column)));
+      at.put(c.out, column, is_first ? v : chosen(unsolved, v, at.vector(c.out, column)));
     };
     result_vector(C::nx, at.vector(w.of, Work::shift_x));
     result_vector(C::px, 0.5 * (g.support_point_i + distance() - g.support_point_j));
@@ -147,8 +147,8 @@ template <class Place, class Normals> struct PairSearch {
     result(C::reduced_radius, r_i * r_j / std::sqrt(det_sum));
     result(C::radius_i, r_i);
     result(C::radius_j, r_j);
-    c.out[C::steps][at.k] = is_first ? 1.0 : c.out[C::steps][at.k] + (open ? 1.0 : 0.0);
-    c.out[C::open][at.k] = (open & !is_solved()) ? 1.0 : 0.0;
+    c.out[C::steps][at.k] = is_first ? 1.0 : c.out[C::steps][at.k] + (unsolved ? 1.0 : 0.0);
+    c.out[C::unsolved][at.k] = (unsolved & !is_solved()) ? 1.0 : 0.0;
   }
 
   /// The normal after one Newton step.
@@ -171,11 +171,11 @@ template <class Place, class Normals> struct PairSearch {
 };
 
 /// From the normals in rows `normal_column` and the two after it of `normals`.
-template <class Place, bool is_first, class Normals>
+template <class Space, bool is_first, class Normals>
 inline void search_from(const Normals& normals, int normal_column, Columns& c, Work& w, int begin,
                         int end) {
   const auto pair = [&](int k) {
-    return PairSearch<Place, Normals>{c, w, normals, normal_column, {k}};
+    return PairSearch<Space, Normals>{c, w, normals, normal_column, {k}};
   };
   for_items(begin, end, [&](int k) { pair(k).evaluate(); });
   for_items(begin, end, [&](int k) { pair(k).step(); });
@@ -184,23 +184,23 @@ inline void search_from(const Normals& normals, int normal_column, Columns& c, W
 }
 
 /// Makes normals of the directions of pairs that are not solved.
-template <class Place> inline void turn_normals(Columns& c, int begin) {
+template <class Space> inline void turn_normals(Columns& c, int begin) {
   for_items(begin, begin + loop_width, [&c](int k) {
-    const Place at{k};
+    const Space at{k};
     const auto direction = at.vector(c.out, Columns::nx);
     at.put(c.out, Columns::nx,
-           chosen(c.out[Columns::open][k] != 0.0, normalized(direction), direction));
+           chosen(c.out[Columns::unsolved][k] != 0.0, normalized(direction), direction));
   });
 }
 
-template <class Place> inline void search_pairs(Columns& c, int size) {
+template <class Space> inline void search_pairs(Columns& c, int size) {
   using C = Columns;
   Work w;
-  search_from<Place, true>(c.in, C::start_x, c, w, 0, size);
+  search_from<Space, true>(c.in, C::start_x, c, w, 0, size);
   for (int begin = 0; begin < size; begin += loop_width)
-    for (int step = 1; step < step_limit && any(c.out[C::open] + begin, loop_width); ++step) {
-      turn_normals<Place>(c, begin);
-      search_from<Place, false>(c.out, C::nx, c, w, begin, begin + loop_width);
+    for (int step = 1; step < step_limit && any(c.out[C::unsolved] + begin, loop_width); ++step) {
+      turn_normals<Space>(c, begin);
+      search_from<Space, false>(c.out, C::nx, c, w, begin, begin + loop_width);
     }
 }
 
@@ -216,11 +216,11 @@ inline void search_loop(Columns& c, int size) {
     search_pairs<InSpace>(c, size);
 }
 
-template <class Place> inline void separate_pairs(Columns& c, int size) {
+template <class Space> inline void separate_pairs(Columns& c, int size) {
   using C = Columns;
   Work w;
   const auto pair = [&](int k) {
-    return PairSearch<Place, decltype(c.in)>{c, w, c.in, C::start_x, {k}};
+    return PairSearch<Space, decltype(c.in)>{c, w, c.in, C::start_x, {k}};
   };
   for_items(0, size, [&](int k) { pair(k).evaluate(); });
   for_items(0, size, [&](int k) { pair(k).turn(); });
@@ -240,10 +240,10 @@ void ContactBatch::solve() {
   WidestVersion<search_loop>::run(columns_, filled_up(columns_.in, size(), loop_width));
 }
 
-void ContactBatch::solve_open() {
+void ContactBatch::solve_unsolved() {
   using C = Columns;
   for (int k = 0; k < size(); ++k) {
-    if (columns_.out[C::open][k] == 0.0)
+    if (columns_.out[C::unsolved][k] == 0.0)
       continue;
     const ContactGeometry c = search_alone(k);
     const InSpace at{k};
@@ -255,9 +255,7 @@ void ContactBatch::solve_open() {
     put(C::radius_i, c.curvature_radius_i);
     put(C::radius_j, c.curvature_radius_j);
     put(C::steps, c.iterations);
-    put(C::open, c.status == ContactStatus::not_converged ? C::stays_open
-                 : c.status == ContactStatus::not_a_pose  ? C::never_solved
-                                                          : 0.0);
+    put(C::unsolved, ellipsoid::has_converged(c.status) ? 0.0 : 1.0);
   }
 }
 

@@ -26,10 +26,10 @@ class ContactBatch : public Batch {
   void add(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& centre_distance,
            const Vector3& start);
 
-  /// Searches the contacts of all pairs added, but for a few that it leaves open.
+  /// Searches the contacts of all pairs added, but for a few that it leaves unsolved.
   void solve();
-  /// Searches the pairs that solve() left open.
-  void solve_open();
+  /// Searches the pairs that solve() left unsolved.
+  void solve_unsolved();
 
   /// Instead of solve(): for pairs that should be apart. One Newton step, no more.
   void find_gaps();
@@ -40,14 +40,9 @@ class ContactBatch : public Batch {
 
   /// What find_contact_from() would say of pair k, to the tolerances of contact_tolerances.h.
   ContactGeometry geometry(int k) const;
-  /// The same after solve_open(), number by number.
+  /// The same after solve_unsolved(), number by number.
   bool is_apart(int k) const { return columns_.out[Columns::overlap][k] < 0.0; }
-  bool has_converged(int k) const { return columns_.out[Columns::open][k] == 0.0; }
-  /// Whether the pair has numbers that are none (ContactStatus::not_a_pose); it counts as not
-  /// converged, too.
-  bool is_not_a_pose(int k) const {
-    return columns_.out[Columns::open][k] == Columns::never_solved;
-  }
+  bool has_converged(int k) const { return columns_.out[Columns::unsolved][k] == 0.0; }
   double steps(int k) const { return columns_.out[Columns::steps][k]; }
   double curvature_radius_i(int k) const { return columns_.out[Columns::radius_i][k]; }
   double curvature_radius_j(int k) const { return columns_.out[Columns::radius_j][k]; }
@@ -89,12 +84,10 @@ class ContactBatch : public Batch {
       reduced_radius,
       radius_i,
       radius_j,
-      steps, ///< evaluations of the overlap function
-      open,  ///< 0: solved; otherwise to be searched alone, or one of the two below
+      steps,    ///< evaluations of the overlap function
+      unsolved, ///< 0: solved; 1: to be searched alone, or not converged
       result_count
     };
-    static constexpr double stays_open = 1.0;   ///< not converged
-    static constexpr double never_solved = 2.0; ///< not a pose
     alignas(64) double in[input_count][column_length];
     alignas(64) double out[result_count][column_length];
   };
@@ -130,7 +123,7 @@ inline void ContactBatch::add(const EllipsoidShape& i, const EllipsoidShape& j,
 inline ContactGeometry ContactBatch::geometry(int k) const {
   using C = Columns;
   const auto out = [this, k](int column) { return columns_.out[column][k]; };
-  if (out(C::open) != 0.0)
+  if (out(C::unsolved) != 0.0)
     return search_alone(k);
   ContactGeometry c;
   c.overlap = out(C::overlap);

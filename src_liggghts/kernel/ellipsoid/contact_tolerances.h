@@ -42,7 +42,7 @@ constexpr double sufficient_decrease = 1.0e-4;
 /// share of the distances of the support points. A step whose decrease hides in it is accepted.
 constexpr double rounding_noise = 4.0e-15;
 
-/// A Hessian eigenvalue below this share of the Hessian's trace is treated as non-convex.
+/// A Hessian eigenvalue below this share of the Hessian's trace counts as non-convex.
 constexpr double convexity = 1.0e-9;
 
 /// Newton steps before a contact is called not converged. Where the overlap equals a radius of

@@ -24,7 +24,7 @@ class FirstGaps : public Batch {
   void find();
   /// A length by which the bodies of pair k are apart at least, with normal(k) as the proof; not
   /// positive where that proves nothing, NaN for bodies with numbers that are none and for centres
-  /// at the same place.
+  /// at the same index.
   double gap(int k) const { return columns_.out[Columns::gap][k]; }
   /// Unit, from i to j.
   Vector3 normal(int k) const { return InSpace{k}.vector(columns_.out, Columns::nx); }

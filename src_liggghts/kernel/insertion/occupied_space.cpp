@@ -12,11 +12,11 @@ std::size_t OccupiedSpace::CellHash::operator()(const Cell& cell) const {
   return static_cast<std::size_t>(hash ^ (hash >> 32));
 }
 
-OccupiedSpace::Cell OccupiedSpace::cell_at(const Vector3& place, double length) {
+OccupiedSpace::Cell OccupiedSpace::cell_at(const Vector3& point, double length) {
   const auto number = [length](double x) {
     return static_cast<std::int64_t>(std::floor(x / length));
   };
-  return {number(place.x), number(place.y), number(place.z)};
+  return {number(point.x), number(point.y), number(point.z)};
 }
 
 void OccupiedSpace::add(const SolidBody& body) {

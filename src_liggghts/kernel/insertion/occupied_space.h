@@ -1,7 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Which places are taken: bodies of any sizes in grids, one grid for each power of two of their
-// bounding radius, so that a small body beside large ones (or the other way round) meets few cells.
+// Which parts of space are occupied: bodies of any sizes in grids, one grid for each power of two
+// of their bounding radius, so that a small body beside large ones (or the other way round) meets
+// few cells.
 #pragma once
 
 #include "insertion/solid_body.h"
@@ -33,7 +34,7 @@ class OccupiedSpace {
   std::vector<SolidBody> bodies_;
   std::map<int, Grid> grids_; // by the exponent of the cell's length
 
-  static Cell cell_at(const Vector3& place, double length);
+  static Cell cell_at(const Vector3& point, double length);
   bool is_free_in(const Grid& grid, double length, const SolidBody& body) const;
   bool is_free_of(const std::vector<std::uint32_t>& others, const SolidBody& body) const;
 };

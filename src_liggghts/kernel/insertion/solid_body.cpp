@@ -35,7 +35,7 @@ double inscribed_radius(const MultispherePose& pose) {
     return pose.scale * pose.body->radius(pose.body->count() / 2);
   double largest = 0.0;
   for (int k = 0; k < pose.body->count(); ++k)
-    largest = std::max(largest, pose.body->radius(k) - norm(pose.body->place(k)));
+    largest = std::max(largest, pose.body->radius(k) - norm(pose.body->centre(k)));
   return pose.scale * largest;
 }
 

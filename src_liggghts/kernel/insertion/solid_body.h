@@ -1,8 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// A body that takes up room: a smooth ellipsoid or a body of spheres at a place. What insertion
-// asks of it: whether it overlaps another one, and whether it lies wholly in a block, ball or
-// cylinder.
+// A body that takes up room: a smooth ellipsoid or a body of spheres, where it is in space. What
+// insertion asks of it: whether it overlaps another one, and whether it lies wholly in a block,
+// ball or cylinder.
 #pragma once
 
 #include "ellipsoid/ellipsoid_contact.h"

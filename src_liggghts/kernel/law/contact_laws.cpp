@@ -25,26 +25,26 @@ struct Parameters {
   double operator()(int parameter) const { return c.in[C::parameters + first + parameter][k]; }
 };
 
-/// A step does its part of the work for all contacts: run<InSpace or InPlane>(columns, pass, size).
-/// Steps are short, one loop each (see batch_columns.h).
+/// A step does its part of the work for all contacts: run<InSpace or InPlane>(columns, settings,
+/// size). Steps are short, one loop each (see batch_columns.h).
 template <class... Steps> inline void steps_loop(LawColumns& c, int size) {
-  const LawPass pass = c.pass; // a copy: no store into a column can change it
+  const LawSettings settings = c.settings; // a copy: no store into a column can change it
   if (c.are_in_plane)
-    (Steps::template run<InPlane>(c, pass, size), ...);
+    (Steps::template run<InPlane>(c, settings, size), ...);
   else
-    (Steps::template run<InSpace>(c, pass, size), ...);
+    (Steps::template run<InSpace>(c, settings, size), ...);
 }
 
 /// A step whose apply() does one contact.
 template <class Step> struct StepOfContacts {
-  template <class Space> static void run(LawColumns& c, const LawPass& pass, int size) {
-    for_items(0, size, [&c, &pass](int k) { Step::apply(c, pass, Space{k}); });
+  template <class Space> static void run(LawColumns& c, const LawSettings& settings, int size) {
+    for_items(0, size, [&c, &settings](int k) { Step::apply(c, settings, Space{k}); });
   }
 };
 
 /// Motion at the contact, and the force along the normal.
 template <class Law> struct NormalStep : StepOfContacts<NormalStep<Law>> {
-  template <class Space> static void apply(LawColumns& c, const LawPass& pass, Space at) {
+  template <class Space> static void apply(LawColumns& c, const LawSettings& settings, Space at) {
     const auto in = [&](int column) { return c.in[column][at.k]; };
     const auto put = [&](int column, double value) { c.out[column][at.k] = value; };
     using Vector = typename Space::Vector;
@@ -59,41 +59,42 @@ template <class Law> struct NormalStep : StepOfContacts<NormalStep<Law>> {
     const NormalResponse response =
         Law::response({in(C::overlap), in(C::radius), mass, normal_velocity},
                       Parameters{c, LawParameters::of_normal, at.k});
-    const double least = pass.no_attraction ? 0.0 : -std::numeric_limits<double>::infinity();
+    const double least = settings.no_attraction ? 0.0 : -std::numeric_limits<double>::infinity();
     const double limited = response.force < least ? least : response.force;
     put(C::normal_force, limited);
     put(C::along_normal, limited);
     put(C::normal_stiffness, response.stiffness);
-    put(C::tangential_stiffness, pass.tangential_stiffness_factor * response.tangential_stiffness);
-    put(C::tangential_damping, pass.tangential_damping ? response.tangential_damping : 0.0);
+    put(C::tangential_stiffness,
+        settings.tangential_stiffness_factor * response.tangential_stiffness);
+    put(C::tangential_damping, settings.tangential_damping ? response.tangential_damping : 0.0);
     put(C::reduced_mass, mass);
   }
 };
 
 template <class Law> struct CohesionStep : StepOfContacts<CohesionStep<Law>> {
-  template <class Space> static void apply(LawColumns& c, const LawPass& pass, Space at) {
+  template <class Space> static void apply(LawColumns& c, const LawSettings& settings, Space at) {
     const auto in = [&](int column) { return c.in[column][at.k]; };
     const double pull = Law::pull({in(C::overlap), in(C::radius), in(C::radius_i), in(C::radius_j)},
                                   Parameters{c, LawParameters::of_cohesion, at.k});
     const double along = c.out[C::along_normal][at.k] - pull;
     c.out[C::along_normal][at.k] = along;
-    if (pass.cohesion_lessens_friction)
+    if (settings.cohesion_lessens_friction)
       c.out[C::normal_force][at.k] = along;
   }
 };
 
 /// The spring of a law without memory is 0 and stays so.
 template <class Law> struct SpringStep {
-  template <class Space> static void run(LawColumns& c, const LawPass& pass, int size) {
-    if (Law::memory[0] != '\0' && pass.is_time_step)
-      for_items(0, size, [&c, &pass](int k) { advance(c, pass, Space{k}); });
+  template <class Space> static void run(LawColumns& c, const LawSettings& settings, int size) {
+    if (Law::memory[0] != '\0' && settings.is_time_step)
+      for_items(0, size, [&c, &settings](int k) { advance(c, settings, Space{k}); });
     else
       for_items(0, size, [&c](int k) { keep(c, Space{k}); });
   }
-  template <class Space> static void advance(LawColumns& c, const LawPass& pass, Space at) {
+  template <class Space> static void advance(LawColumns& c, const LawSettings& settings, Space at) {
     auto spring = at.vector(c.in, C::sx);
     if constexpr (Law::memory[0] != '\0')
-      Law::advance(spring, at.vector(c.out, C::slip_x), pass.time_step, at.vector(c.in, C::nx));
+      Law::advance(spring, at.vector(c.out, C::slip_x), settings.time_step, at.vector(c.in, C::nx));
     at.put(c.out, C::new_sx, spring);
   }
   template <class Space> static void keep(LawColumns& c, Space at) {
@@ -103,7 +104,7 @@ template <class Law> struct SpringStep {
 
 /// The tangential force, and what the whole force does.
 template <class Law> struct TangentialStep : StepOfContacts<TangentialStep<Law>> {
-  template <class Space> static void apply(LawColumns& c, const LawPass&, Space at) {
+  template <class Space> static void apply(LawColumns& c, const LawSettings&, Space at) {
     const auto out = [&](int column) { return c.out[column][at.k]; };
     using Vector = typename Space::Vector;
     const NormalResponse normal{out(C::normal_force), out(C::normal_stiffness), 0.0,
@@ -122,7 +123,7 @@ template <class Law> struct TangentialStep : StepOfContacts<TangentialStep<Law>>
 };
 
 template <class Law> struct RollingStep : StepOfContacts<RollingStep<Law>> {
-  template <class Space> static void apply(LawColumns& c, const LawPass& pass, Space at) {
+  template <class Space> static void apply(LawColumns& c, const LawSettings& settings, Space at) {
     const auto in = [&](int column) { return c.in[column][at.k]; };
     using Axial = typename Space::AxialVector;
     const RollingContact<Axial, typename Space::Vector> contact{
@@ -130,8 +131,8 @@ template <class Law> struct RollingStep : StepOfContacts<RollingStep<Law>> {
         c.out[C::normal_force][at.k],
         in(C::radius),
         c.out[C::tangential_stiffness][at.k],
-        pass.time_step,
-        pass.resists_torsion ? 1.0 : 0.0,
+        settings.time_step,
+        settings.resists_torsion ? 1.0 : 0.0,
         at.vector(c.in, C::nx),
         at.axial_vector(c.in, C::wix) - at.axial_vector(c.in, C::wjx)};
     Axial remembered = at.axial_vector(c.in, C::rx);

@@ -22,7 +22,7 @@ struct LawParameters {
 };
 
 /// What all contacts of a time step have in common.
-struct LawPass {
+struct LawSettings {
   double time_step = 0.0;         ///< by which springs grow (time)
   bool is_time_step = true;       ///< false: springs stay as they are unless friction shortens them
   bool no_attraction = false;     ///< a normal force that pulls counts as 0

@@ -55,8 +55,8 @@ void ContactLawBatch::set_parameters_of_all(const LawParameters& parameters) {
     set_parameters(k, parameters);
 }
 
-void ContactLawBatch::solve(const ContactLaws& laws, const LawPass& pass) {
-  columns_.pass = pass;
+void ContactLawBatch::solve(const ContactLaws& laws, const LawSettings& settings) {
+  columns_.settings = settings;
   WidestVersion<plane_loop>::run(columns_, size());
   for (const BatchedLaw* law : laws.of_kind)
     if (law)

@@ -58,7 +58,7 @@ class ContactLawBatch : public Batch {
   /// The same for all contacts, also those to come.
   void set_parameters_of_all(const LawParameters& parameters);
 
-  void solve(const ContactLaws& laws, const LawPass& pass);
+  void solve(const ContactLaws& laws, const LawSettings& settings);
 
   /// Whether all forces, after solve(), lie along x and y and all torques along z.
   bool are_in_plane() const { return columns_.are_in_plane; }

@@ -72,7 +72,7 @@ struct LawColumns {
   };
   alignas(64) double in[input_count][Batch::column_length];
   alignas(64) double out[result_count][Batch::column_length];
-  LawPass pass{};
+  LawSettings settings{};
   bool are_in_plane = false; ///< all contacts, and so forces along x and y and torques along z
 };
 

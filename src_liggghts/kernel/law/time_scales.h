@@ -145,7 +145,7 @@ inline double smallest_mass2_over_radius(const MultisphereBody& body, double sca
   for (int k = 0; k < body.count(); ++k)
     best = std::min(
         best, mass2_over_radius(1.0 / (scale * body.radius(k)),
-                                1.0 / mass + scale * scale * largest_arm(body.place(k), inertia)));
+                                1.0 / mass + scale * scale * largest_arm(body.centre(k), inertia)));
   return best;
 }
 

@@ -43,7 +43,7 @@ inline Kicked kick(const PlanarRows& p, std::ptrdiff_t k, double half_step) {
   return {velocity, rate};
 }
 
-/// Sum of the four, in each place.
+/// Sum of the four, in each entry.
 inline Four sum(const Four& v) {
   const Four pairs = v + Four{v[1], v[0], v[3], v[2]};
   return pairs + Four{pairs[2], pairs[3], pairs[0], pairs[1]};
@@ -96,12 +96,6 @@ void start_planar_step(const PlanarRows& rows, int count, double time_step, doub
 void end_planar_step(const PlanarRows& rows, int count, double half_step) {
   PlanarStep step{rows, 0.0, half_step};
   WidestVersion<end_loop>::run(step, count);
-}
-
-Quaternion rotate_about_z(const Quaternion& q, double angle) {
-  double row[4] = {q.w, q.x, q.y, q.z};
-  turn(row, 0.5 * angle);
-  return {row[0], row[1], row[2], row[3]};
 }
 
 } // namespace ellipsoid

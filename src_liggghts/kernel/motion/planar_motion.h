@@ -30,8 +30,4 @@ void start_planar_step(const PlanarRows& rows, int count, double time_step, doub
 /// forces that do not count here.
 void end_planar_step(const PlanarRows& rows, int count, double half_step);
 
-/// Turns a body about the space z axis as a step does: second order in the angle, norm kept.
-/// @param[in] angle (rad)
-Quaternion rotate_about_z(const Quaternion& q, double angle);
-
 } // namespace ellipsoid

@@ -73,7 +73,10 @@ struct Rotating {
   Vector3 omega;
 };
 
-/// A body in the midst of a step of rotate_freely().
+/// A torque-free body in the midst of a step: symmetric splitting into turns about the body's axes
+/// (as Miller et al. 2002, J. Chem. Phys. 116, 8649, order z y x y z), each with its constant
+/// component of the angular momentum. Second order, time-reversible; angular momentum and the
+/// quaternion's norm are kept exactly. `rate`: inverse() of the principal moments.
 struct FreeRotation {
   Quaternion q;
   Vector3 m; ///< angular momentum, body frame
@@ -102,22 +105,6 @@ struct FreeRotation {
     detail::turn(0.25 * time_step * rate.y * m.y, m.z, m.x, q.w, q.y, q.z, q.x);
   }
 };
-
-/// Advances the orientation of a torque-free body by `time_step`: symmetric splitting into turns
-/// about the body's axes (as Miller et al. 2002, J. Chem. Phys. 116, 8649, order z y x y z), each
-/// with its constant component of the angular momentum. Second order, time-reversible; angular
-/// momentum and the quaternion's norm are kept exactly.
-/// @param[in] momentum angular momentum (space frame), constant
-/// @param[in] inverse_inertia inverse() of the principal moments
-/// @return orientation and angular velocity after the step
-inline Rotating rotate_freely(const Quaternion& orientation, const Vector3& momentum,
-                              const Vector3& inverse_inertia, double time_step) {
-  FreeRotation body{orientation, rotation(orientation).to_body(momentum)};
-  body.turn_zy(inverse_inertia, time_step);
-  body.turn_xyz(inverse_inertia, time_step);
-  body.q = normalized(body.q);
-  return {body.q, body.omega(inverse_inertia)};
-}
 
 /// Moment of inertia about the space z axis, and how far z is from a principal axis.
 struct PlanarInertia {

@@ -10,7 +10,7 @@ namespace {
 
 using C = RotationBatch::Columns;
 
-/// A body of the batch: on the way its momentum has the place of its angular velocity.
+/// A body of the batch: on the way its momentum stands where its angular velocity was.
 struct Body {
   C& c;
   int k;

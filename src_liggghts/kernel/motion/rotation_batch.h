@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Free rotation of many bodies at once: rotate_freely() in a loop that the compiler turns into
-// vector instructions. The results are those of the function, bit for bit.
+// Free rotation of many bodies at once: the turns of FreeRotation in loops that the compiler turns
+// into vector instructions. The results are those of the function, bit for bit.
 #pragma once
 
 #include "motion/rigid_body.h"

@@ -82,19 +82,20 @@ CapCircle::CapCircle(const SphereCap& of_cap, const Vector3& pole_direction)
 /// is (n - h x) dy.
 void add_arc(BoundaryIntegrals& sum, const CapCircle& circle, const AngleInterval& arc) {
   const double h = circle.cap.height, r = circle.radius;
-  const Vector3 place[3] = {h * circle.cap.normal, r * circle.first, r * circle.second};
-  const Vector3 conormal[3] = {circle.cap.normal - h * place[0], -h * place[1], -h * place[2]};
+  const Vector3 position[3] = {h * circle.cap.normal, r * circle.first, r * circle.second};
+  const Vector3 conormal[3] = {circle.cap.normal - h * position[0], -h * position[1],
+                               -h * position[2]};
   const Products products = products_over(arc);
   sum.pole_form += pole_form_over(circle, arc);
   for (std::size_t i = 0; i < 3; ++i) {
     sum.flow += products[i][0][0] * conormal[i];
     for (std::size_t j = 0; j < 3; ++j) {
-      const SymmetricMatrix3 vx = symmetric_product(conormal[i], place[j]);
+      const SymmetricMatrix3 vx = symmetric_product(conormal[i], position[j]);
       sum.flow1 = sum.flow1 + products[i][j][0] * vx;
       for (std::size_t k = 0; k < 3; ++k) {
-        const SymmetricMatrix3 xx = 0.5 * symmetric_product(place[j], place[k]);
+        const SymmetricMatrix3 xx = 0.5 * symmetric_product(position[j], position[k]);
         for (std::size_t m = 0; m < 3; ++m)
-          sum.flow2[m] = sum.flow2[m] + products[i][j][k] * (component(place[k], m) * vx +
+          sum.flow2[m] = sum.flow2[m] + products[i][j][k] * (component(position[k], m) * vx +
                                                              component(conormal[i], m) * xx);
       }
     }

@@ -1,6 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// A set of spheres at any places: what clumps and templates that are no chain are made of.
+// A set of spheres anywhere: what clumps and templates that are no chain are made of.
 //
 // Conventions:
 //  - centres are in the body's frame; which frame that is says who makes the set;

@@ -58,10 +58,10 @@ void append(SphereSet& set, const MirroredSphere& sphere, const std::array<int, 
     const bool at_left = image % 2 == 1, at_back = image / 2 == 1;
     if ((at_left && !(sphere.x > 0.0)) || (at_back && !(sphere.y > 0.0)))
       continue;
-    double place[3] = {0.0, 0.0, 0.0};
-    place[order[0]] = scale * (at_left ? -sphere.x : sphere.x);
-    place[order[1]] = scale * (at_back ? -sphere.y : sphere.y);
-    set.centres.push_back({place[0], place[1], place[2]});
+    double centre[3] = {0.0, 0.0, 0.0};
+    centre[order[0]] = scale * (at_left ? -sphere.x : sphere.x);
+    centre[order[1]] = scale * (at_back ? -sphere.y : sphere.y);
+    set.centres.push_back({centre[0], centre[1], centre[2]});
     set.radii.push_back(scale * sphere.radius);
   }
 }

@@ -50,7 +50,7 @@ double gap_to(const Candidate& candidate, const MirroredSphere& sphere) {
   return std::sqrt(dx * dx + dy * dy + dz * dz) - sphere.radius;
 }
 
-void place(std::vector<Candidate>& candidates, const MirroredSphere& sphere) {
+void update_gaps(std::vector<Candidate>& candidates, const MirroredSphere& sphere) {
   for (Candidate& candidate : candidates)
     candidate.gap = std::min(candidate.gap, gap_to(candidate, sphere));
 }
@@ -123,11 +123,11 @@ MirroredSphere inscribed_sphere(const SortedSemiaxes& axes, const Vector3& w) {
 std::vector<MirroredSphere> medial_spheres(const SortedSemiaxes& axes, int count) {
   std::vector<Candidate> candidates = candidates_on(axes);
   std::vector<MirroredSphere> placed{{0.0, 0.0, axes.c}};
-  place(candidates, placed.back());
+  update_gaps(candidates, placed.back());
   const int odd = count - 1 + count % 2;
   for (int left = odd - 1; left > 0; left -= placed.back().count()) {
     placed.push_back(next_of(candidates, left).sphere);
-    place(candidates, placed.back());
+    update_gaps(candidates, placed.back());
   }
   if (odd < count)
     placed.front() = pair_for_centre(candidates, placed);

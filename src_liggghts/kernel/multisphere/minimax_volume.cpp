@@ -20,8 +20,8 @@ constexpr double pi = 3.141592653589793238462643;
 constexpr int directions_of_any = 3000, directions_per_sphere = 40; ///< in an eighth
 constexpr int relaxations = 12;  ///< after them places move by less than what follows moves them
 constexpr int descents = 120;    ///< steps; the mean falls by less than 1e-3 of itself after these
-constexpr int near_count = 12;   ///< spheres that may end a ray until they are looked for again
-constexpr int refresh_steps = 8; ///< steps between two looks
+constexpr int near_count = 12;   ///< spheres that may end a ray until they are searched again
+constexpr int refresh_steps = 8; ///< steps between two searches
 constexpr int start_candidates = 700; ///< in the plane, and on each of its axes
 
 /// A direction of the mean, with the spheres that are near it.
@@ -53,7 +53,7 @@ double exit_of(const Ray& ray, const MirroredSphere& s) {
   return square > 0.0 ? std::max(0.0, (along + std::sqrt(square)) / ray.square) : 0.0;
 }
 
-void look_for_near(std::vector<Ray>& rays, const std::vector<MirroredSphere>& spheres) {
+void find_near(std::vector<Ray>& rays, const std::vector<MirroredSphere>& spheres) {
   std::vector<std::pair<double, int>> exits(spheres.size());
   const std::size_t kept = std::min<std::size_t>(near_count, spheres.size());
   for (Ray& ray : rays) {
@@ -158,7 +158,7 @@ class Descent {
     std::vector<MirroredSphere> slopes;
     for (int i = 0; i < descents; ++i) {
       if (i % refresh_steps == 0)
-        look_for_near(rays, spheres_);
+        find_near(rays, spheres_);
       const double mean = mean_difference(rays, spheres_, slopes);
       if (mean < best.mean)
         best = {spheres_, mean};
@@ -239,7 +239,7 @@ std::vector<MirroredSphere> minimax_volume_spheres(const SortedSemiaxes& axes, i
   std::vector<MirroredSphere> relaxed = medial_spheres(axes, count);
   for (int i = 0; i < relaxations; ++i) {
     if (i % 4 == 0)
-      look_for_near(rays, relaxed);
+      find_near(rays, relaxed);
     relax(axes, rays, relaxed);
   }
   const Lowest first = Descent(axes, std::move(relaxed)).lowest(rays);

@@ -13,8 +13,8 @@ struct Rows {
   Motions& motions;
 };
 
-inline void take_displacements(const double* now, double* before, int count,
-                               double* displacements) {
+inline void update_displacements(const double* now, double* before, int count,
+                                 double* displacements) {
 #pragma GCC ivdep
   for (int l = 0; l < 3 * count; ++l) {
     displacements[l] = now[l] - before[l];
@@ -26,8 +26,8 @@ inline void measure_loop(Rows& rows, int count) {
   const double* radii = rows.poses.turning_radii;
   double* turns = rows.motions.turns;
   alignas(64) double squares[4 * Motions::capacity];
-  take_displacements(rows.poses.centres, rows.poses.last_centres, count,
-                     rows.motions.displacements);
+  update_displacements(rows.poses.centres, rows.poses.last_centres, count,
+                       rows.motions.displacements);
   square_changes(rows.poses.orientations, rows.poses.last_orientations, 4 * count, squares);
 #pragma GCC ivdep
   for (int k = 0; k < count; ++k)
@@ -40,7 +40,7 @@ struct ChainStep {
   Motions& motions;
 };
 
-/// Square of the farthest that a place at distance 1 moves when a body turns from its pose: half
+/// Square of the farthest that a point at distance 1 moves when a body turns from its pose: half
 /// the squared distance of the rotation matrices, 8 sin^2(angle / 2).
 inline double turned_squared(const MultispherePose& before, const double* quaternion) {
   const Rotation3 now = rotation({quaternion[0], quaternion[1], quaternion[2], quaternion[3]});
@@ -51,8 +51,8 @@ inline double turned_squared(const MultispherePose& before, const double* quater
 }
 
 inline void measure_chains_loop(ChainStep& step, int count) {
-  take_displacements(step.chains.centres, step.chains.last_centres, count,
-                     step.motions.displacements);
+  update_displacements(step.chains.centres, step.chains.last_centres, count,
+                       step.motions.displacements);
   using Column = double[Motions::capacity];
   alignas(64) Column x, y, z, squares, lengths, growth;
   const double* q = step.chains.orientations;

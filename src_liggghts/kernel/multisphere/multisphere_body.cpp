@@ -33,15 +33,15 @@ void check(const MultisphereTemplate& geometry) {
   }
 }
 
-/// Whether the way from the origin to a place is covered by spheres.
-bool is_covered(const std::vector<Vector3>& places, const std::vector<double>& radii,
+/// Whether the way from the origin to a point is covered by spheres.
+bool is_covered(const std::vector<Vector3>& centres, const std::vector<double>& radii,
                 const Vector3& to) {
   const double length = norm(to);
   std::vector<std::pair<double, double>> covered; // of the way, by one sphere each
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const double along = length > 0.0 ? dot(places[k], to) / length : 0.0;
+  for (std::size_t k = 0; k < centres.size(); ++k) {
+    const double along = length > 0.0 ? dot(centres[k], to) / length : 0.0;
     const double half_squared =
-        radii[k] * radii[k] - std::fmax(0.0, dot(places[k], places[k]) - along * along);
+        radii[k] * radii[k] - std::fmax(0.0, dot(centres[k], centres[k]) - along * along);
     if (half_squared > 0.0)
       covered.emplace_back(along - std::sqrt(half_squared), along + std::sqrt(half_squared));
   }
@@ -59,30 +59,30 @@ MultisphereBody::MultisphereBody(const MultisphereTemplate& geometry)
     : abscissae_(geometry.centres), radii_(geometry.radii) {
   check(geometry);
   for (const double x : abscissae_)
-    places_.push_back({x, 0.0, 0.0});
+    centres_.push_back({x, 0.0, 0.0});
   for (int k = 1; k < count(); ++k) {
-    const double slope = (radius(k) - radius(k - 1)) / (centre(k) - centre(k - 1));
+    const double slope = (radius(k) - radius(k - 1)) / (abscissa(k) - abscissa(k - 1));
     steepest_radius_ = std::fmax(steepest_radius_, std::fabs(slope));
   }
   seen_.assign(radii_.size(), true);
   measure();
 }
 
-MultisphereBody::MultisphereBody(const SphereSet& set) : radii_(set.radii), places_(set.centres) {
+MultisphereBody::MultisphereBody(const SphereSet& set) : radii_(set.radii), centres_(set.centres) {
   check_spheres(set);
-  for (const Vector3& place : places_)
-    seen_.push_back(is_covered(places_, radii_, place));
+  for (const Vector3& centre : centres_)
+    seen_.push_back(is_covered(centres_, radii_, centre));
   measure();
 }
 
 void MultisphereBody::measure() {
   for (int k = 0; k < count(); ++k) {
-    const double distance = is_chain() ? std::fabs(centre(k)) : norm(place(k));
+    const double distance = is_chain() ? std::fabs(abscissa(k)) : norm(centre(k));
     half_length_ = std::fmax(half_length_, distance);
     reach_ = std::fmax(reach_, distance + radius(k));
     largest_radius_ = std::fmax(largest_radius_, radius(k));
   }
-  tree_ = SphereTree(places_, radii_);
+  tree_ = SphereTree(centres_, radii_);
 }
 
 int MultisphereBody::first_at_or_after(double x) const {

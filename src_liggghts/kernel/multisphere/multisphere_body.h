@@ -30,10 +30,10 @@ class MultisphereBody {
 
   bool is_chain() const { return !abscissae_.empty(); }
   int count() const { return static_cast<int>(radii_.size()); }
-  const Vector3& place(int k) const { return places_[static_cast<std::size_t>(k)]; }
+  const Vector3& centre(int k) const { return centres_[static_cast<std::size_t>(k)]; }
   double radius(int k) const { return radii_[static_cast<std::size_t>(k)]; }
-  double half_length() const { return half_length_; } ///< largest |place| (length)
-  double reach() const { return reach_; } ///< largest |place| + radius: of the bounding sphere
+  double half_length() const { return half_length_; } ///< largest |centre| (length)
+  double reach() const { return reach_; } ///< largest |centre| + radius: of the bounding sphere
   double largest_radius() const { return largest_radius_; }
   double smallest_radius() const { return *std::min_element(radii_.begin(), radii_.end()); }
   const SphereTree& tree() const { return tree_; }
@@ -43,7 +43,7 @@ class MultisphereBody {
   bool is_seen_from_origin(int k) const { return seen_[static_cast<std::size_t>(k)]; }
 
   /// Of a chain only: x of the centre.
-  double centre(int k) const { return abscissae_[static_cast<std::size_t>(k)]; }
+  double abscissa(int k) const { return abscissae_[static_cast<std::size_t>(k)]; }
   double steepest_radius() const { return steepest_radius_; } ///< largest |dR/dx| of neighbours
   /// Smallest index whose centre is >= x; count() if there is none.
   int first_at_or_after(double x) const;
@@ -51,7 +51,7 @@ class MultisphereBody {
  private:
   std::vector<double> abscissae_; // of a chain
   std::vector<double> radii_;
-  std::vector<Vector3> places_;
+  std::vector<Vector3> centres_;
   std::vector<bool> seen_;
   double half_length_ = 0.0, reach_ = 0.0, largest_radius_ = 0.0, steepest_radius_ = 0.0;
   SphereTree tree_;
@@ -64,7 +64,7 @@ struct MultispherePose {
   const MultisphereBody* body = nullptr;
   Vector3 axis{1.0, 0.0, 0.0};        ///< unit: the body's x axis in space
   double scale = 1.0;                 ///< particle's length / template's length
-  Vector3 second_axis{0.0, 1.0, 0.0}; ///< unit: its y axis; not looked at for chains
+  Vector3 second_axis{0.0, 1.0, 0.0}; ///< unit: its y axis; not used for chains
 };
 
 inline void turn(MultispherePose& pose, const Rotation3& orientation) {
@@ -85,8 +85,8 @@ class SphereCentres {
   }
   Vector3 at(int k) const {
     if (pose_.body->is_chain())
-      return (pose_.scale * pose_.body->centre(k)) * pose_.axis;
-    const Vector3& c = pose_.body->place(k);
+      return (pose_.scale * pose_.body->abscissa(k)) * pose_.axis;
+    const Vector3& c = pose_.body->centre(k);
     return (pose_.scale * c.x) * pose_.axis + (pose_.scale * c.y) * pose_.second_axis +
            (pose_.scale * c.z) * third_axis_;
   }
@@ -96,11 +96,6 @@ class SphereCentres {
   const MultispherePose& pose_;
   Vector3 third_axis_;
 };
-
-/// Of one sphere only.
-inline Vector3 sphere_centre(const MultispherePose& pose, int k) {
-  return SphereCentres(pose).at(k);
-}
 
 /// Upper bound of how far a body reaches in a direction from its centre (length).
 double largest_reach(const MultispherePose& pose, const Vector3& direction);

@@ -137,7 +137,7 @@ class InnerView {
 
   double overlap(int l) const {
     ++tested_;
-    const double u = scale_ * chain_.centre(l) - t_;
+    const double u = scale_ * chain_.abscissa(l) - t_;
     return radius_ + scale_ * chain_.radius(l) - std::sqrt(u * u + p2_);
   }
 
@@ -183,7 +183,7 @@ void for_each_candidate(const MultispherePose& outer, const MultispherePose& inn
   int k = chain.first_at_or_after(line.centres.low / outer.scale);
   int nearest = -1;
   while (k < chain.count()) {
-    const double x = outer.scale * chain.centre(k);
+    const double x = outer.scale * chain.abscissa(k);
     if (x > line.centres.high)
       return;
     const double t = line.offset + line.slope * x;
@@ -203,7 +203,7 @@ void for_each_candidate(const MultispherePose& outer, const MultispherePose& inn
       continue;
     }
     const double skipped = x - length_per_gap * (overlap + gap) - margin;
-    while (k < chain.count() && outer.scale * chain.centre(k) < skipped)
+    while (k < chain.count() && outer.scale * chain.abscissa(k) < skipped)
       ++k;
   }
 }

@@ -7,14 +7,14 @@ namespace ellipsoid {
 namespace {
 
 double abscissa(const MultispherePose& pose, int k) {
-  return pose.body->is_chain() ? pose.body->centre(k) : 0.0;
+  return pose.body->is_chain() ? pose.body->abscissa(k) : 0.0;
 }
 
 } // namespace
 
 void NearSpheres::restart(std::size_t pairs) {
   of_pairs_.assign(pairs, OfPair());
-  spheres_.assign(1, SpherePair()); // the first place of pairs that have none
+  spheres_.assign(1, SpherePair()); // where pairs without any begin
 }
 
 NearSpheres::Search NearSpheres::search(std::size_t pair, const MultispherePose& i,

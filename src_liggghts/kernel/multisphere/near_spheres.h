@@ -89,7 +89,7 @@ class NearSpheres {
  private:
   struct OfPair {
     MotionClocks::Deadlines until{0.0, 0.0};
-    unsigned first = 0; ///< of its places in spheres_
+    unsigned first = 0; ///< of its entries in spheres_
     int count = 0, room = 0;
   };
   std::vector<OfPair> of_pairs_;

@@ -17,15 +17,15 @@ using Indices = std::vector<int>::iterator;
 
 class Builder {
  public:
-  Builder(const std::vector<Vector3>& places, const std::vector<double>& radii,
+  Builder(const std::vector<Vector3>& centres, const std::vector<double>& radii,
           std::vector<SphereTree::Node>& nodes)
-      : places_(places), radii_(radii), nodes_(nodes) {}
+      : centres_(centres), radii_(radii), nodes_(nodes) {}
 
   /// Adds the tree of some spheres. @return the depth of its deepest leaf
   int add(Indices begin, Indices end) {
     const std::size_t index = nodes_.size();
     if (end - begin == 1) {
-      nodes_.push_back({place(*begin), radius(*begin), -1, *begin});
+      nodes_.push_back({centre(*begin), radius(*begin), -1, *begin});
       return 0;
     }
     double low[3], high[3];
@@ -37,7 +37,7 @@ class Builder {
         axis = k;
     const Indices middle = begin + (end - begin) / 2;
     std::nth_element(begin, middle, end, [&](int k, int l) {
-      const double a = component(place(k), axis), b = component(place(l), axis);
+      const double a = component(centre(k), axis), b = component(centre(l), axis);
       return a != b ? a < b : k < l;
     });
     const int first_depth = add(begin, middle);
@@ -46,11 +46,11 @@ class Builder {
   }
 
  private:
-  const std::vector<Vector3>& places_;
+  const std::vector<Vector3>& centres_;
   const std::vector<double>& radii_;
   std::vector<SphereTree::Node>& nodes_;
 
-  const Vector3& place(int k) const { return places_[static_cast<std::size_t>(k)]; }
+  const Vector3& centre(int k) const { return centres_[static_cast<std::size_t>(k)]; }
   double radius(int k) const { return radii_[static_cast<std::size_t>(k)]; }
 
   /// Corners of the box around the spheres.
@@ -59,8 +59,8 @@ class Builder {
       low[axis] = HUGE_VAL;
       high[axis] = -HUGE_VAL;
       for (Indices k = begin; k != end; ++k) {
-        low[axis] = std::fmin(low[axis], component(place(*k), axis) - radius(*k));
-        high[axis] = std::fmax(high[axis], component(place(*k), axis) + radius(*k));
+        low[axis] = std::fmin(low[axis], component(centre(*k), axis) - radius(*k));
+        high[axis] = std::fmax(high[axis], component(centre(*k), axis) + radius(*k));
       }
     }
   }
@@ -71,18 +71,18 @@ class Builder {
                          0.5 * (low[2] + high[2])};
     double reach = 0.0;
     for (Indices k = begin; k != end; ++k)
-      reach = std::fmax(reach, norm(place(*k) - middle) + radius(*k));
+      reach = std::fmax(reach, norm(centre(*k) - middle) + radius(*k));
     return {middle, reach * (1.0 + bound_rounding), -1, -1};
   }
 };
 
 } // namespace
 
-SphereTree::SphereTree(const std::vector<Vector3>& places, const std::vector<double>& radii) {
+SphereTree::SphereTree(const std::vector<Vector3>& centres, const std::vector<double>& radii) {
   std::vector<int> order(radii.size());
   std::iota(order.begin(), order.end(), 0);
   nodes_.reserve(2 * radii.size());
-  depth_ = Builder(places, radii, nodes_).add(order.begin(), order.end());
+  depth_ = Builder(centres, radii, nodes_).add(order.begin(), order.end());
 }
 
 } // namespace ellipsoid

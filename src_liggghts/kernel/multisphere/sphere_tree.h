@@ -24,8 +24,8 @@ class SphereTree {
   };
 
   SphereTree() = default;
-  /// @param[in] places, radii of at least one sphere (length)
-  SphereTree(const std::vector<Vector3>& places, const std::vector<double>& radii);
+  /// @param[in] centres, radii of at least one sphere (length)
+  SphereTree(const std::vector<Vector3>& centres, const std::vector<double>& radii);
 
   const Node& node(int n) const { return nodes_[static_cast<std::size_t>(n)]; }
   int depth() const { return depth_; } ///< of the deepest leaf, the root's is 0
@@ -35,7 +35,7 @@ class SphereTree {
   int depth_ = 0;
 };
 
-/// Body j seen from body i: a place p of j is at offset + (x, y, z) p in i's frame.
+/// Body j seen from body i: a point p of j is at offset + (x, y, z) p in i's frame.
 struct RelativePose {
   Vector3 offset, x, y, z; ///< x, y, z have the length scale_j / scale_i: all in lengths of i
   double ratio;            ///< scale_j / scale_i

@@ -37,7 +37,7 @@ bool SizeGrids::are_worthwhile(const double* radii, std::size_t count) {
 }
 
 /// Of a coordinate (length); those beyond the grid, or not a number, are in its last cells.
-int SizeGrids::Grid::place(double x, int axis) const {
+int SizeGrids::Grid::index_along(double x, int axis) const {
   const double cells_away = (x - component(low, axis)) / cell;
   return cells_away > 0.0
              ? static_cast<int>(std::min(cells_away, static_cast<double>(cells[axis] - 1)))
@@ -45,9 +45,9 @@ int SizeGrids::Grid::place(double x, int axis) const {
 }
 
 std::size_t SizeGrids::Grid::cell_of(const Vector3& centre) const {
-  const auto x = static_cast<std::size_t>(place(centre.x, 0)),
-             y = static_cast<std::size_t>(place(centre.y, 1)),
-             z = static_cast<std::size_t>(place(centre.z, 2));
+  const auto x = static_cast<std::size_t>(index_along(centre.x, 0)),
+             y = static_cast<std::size_t>(index_along(centre.y, 1)),
+             z = static_cast<std::size_t>(index_along(centre.z, 2));
   return x + static_cast<std::size_t>(cells[0]) * (y + static_cast<std::size_t>(cells[1]) * z);
 }
 
@@ -128,8 +128,8 @@ void SizeGrids::find_in(const Grid& grid, int i, const Body& own) {
       (1.0 + rounding) * (reach_.factor * (own.radius + grid.largest_radius) + reach_.skin);
   int first[3], last[3];
   for (int axis : {0, 1, 2}) {
-    first[axis] = grid.place(component(own.centre, axis) - way, axis);
-    last[axis] = grid.place(component(own.centre, axis) + way, axis);
+    first[axis] = grid.index_along(component(own.centre, axis) - way, axis);
+    last[axis] = grid.index_along(component(own.centre, axis) + way, axis);
   }
   const auto row = [&grid](int y, int z) {
     return static_cast<std::size_t>(grid.cells[0]) *

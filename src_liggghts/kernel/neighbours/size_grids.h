@@ -48,7 +48,7 @@ class SizeGrids {
     std::vector<std::uint32_t> begins; ///< by cell; one more at the end
     std::vector<Member> members;
 
-    int place(double x, int axis) const;
+    int index_along(double x, int axis) const;
     std::size_t cell_of(const Vector3& centre) const;
     void shape(const Vector3& first, const Vector3& last, double edge, std::size_t bodies);
     void sort_in(const std::vector<int>& numbers, const std::vector<Body>& bodies);

@@ -3,7 +3,7 @@
 
 namespace ellipsoid {
 
-/// How full a batch is: columns of numbers in which place k belongs to item k, for loops that the
+/// How full a batch is: columns of numbers in which entry k belongs to item k, for loops that the
 /// compiler turns into vector instructions.
 class Batch {
  public:

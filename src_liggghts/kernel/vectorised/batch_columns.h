@@ -16,7 +16,7 @@
 
 namespace ellipsoid {
 
-/// Items that a loop treats in one go, two of the widest vectors: loops of known length need no
+/// Items of a loop in one go, two of the widest vectors: loops of known length need no
 /// rest. Beyond the last item a batch's columns hold numbers that mean nothing.
 constexpr int loop_width = 16;
 static_assert(Batch::capacity % loop_width == 0, "whole loops");

@@ -205,10 +205,11 @@ bool is_in_plane(const Triangle& t, const std::vector<TriangleContact>& contacts
 /// @param[in] first index of the first contact of this body; so far there are those at its faces
 template <class Body>
 void add_boundary_contacts(const Body& body, const Vector3& eye, double size,
-                           const std::vector<Triangle>& triangles, const std::vector<int>& open,
-                           std::size_t first, std::vector<TriangleContact>& contacts) {
+                           const std::vector<Triangle>& triangles,
+                           const std::vector<int>& with_boundary, std::size_t first,
+                           std::vector<TriangleContact>& contacts) {
   const std::size_t last_face = contacts.size();
-  for (const int k : open) {
+  for (const int k : with_boundary) {
     const Triangle& t = triangles[static_cast<std::size_t>(k)];
     if (is_in_plane(t, contacts, first, last_face, size))
       continue;
@@ -226,15 +227,15 @@ void add_contacts(const Body& body, const Vector3& eye, double size,
                   const std::vector<Triangle>& triangles, const SameSurface& same_surface,
                   std::vector<TriangleContact>& contacts) {
   const std::size_t first = contacts.size();
-  std::vector<int> open; // triangles with edges and corners to look at
+  std::vector<int> with_boundary; // triangles whose edges and corners may touch
   bool near = false;
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     if (is_in_plane(triangles[k], contacts, first, contacts.size(), size))
       continue;
     TriangleContacts offered = find_face_contact(body, triangles[k]);
     near = near || offered.plane_is_reached;
-    if (offered.boundary_is_open)
-      open.push_back(static_cast<int>(k));
+    if (offered.boundary_may_touch)
+      with_boundary.push_back(static_cast<int>(k));
     offered.face.triangle = static_cast<int>(k);
     if (offered.face.feature == TriangleFeature::none ||
         (offered.face_is_missed && !reaches_plane(body, offered.face, triangles, size)) ||
@@ -244,7 +245,7 @@ void add_contacts(const Body& body, const Vector3& eye, double size,
   }
   if (!near)
     return;
-  add_boundary_contacts(body, eye, size, triangles, open, first, contacts);
+  add_boundary_contacts(body, eye, size, triangles, with_boundary, first, contacts);
   select(same_surface, size, first, contacts);
   if (contacts.size() == first)
     add_growing_contact(body, triangles, contacts);

@@ -13,7 +13,7 @@ namespace {
 using Triple = std::array<double, 3>;
 
 /// Newton's method kept inside a bracket, which bisection halves where a step would leave it.
-/// @param[in] evaluate f and f' at a place; f < 0 at `low`, f > 0 at `high` (or zero at the ends)
+/// @param[in] evaluate f and f' at a point; f < 0 at `low`, f > 0 at `high` (or zero at the ends)
 template <class Evaluate>
 double find_root(double low, double high, double start, const Evaluate& evaluate) {
   double x = start;

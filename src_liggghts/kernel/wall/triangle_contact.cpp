@@ -84,9 +84,9 @@ class Boundary {
       return; // the edge's line passes by
     const Vector3 normal = nearest_normal(shadow, start);
     const Vector3 surface = (1.0 / support(body_.shape, normal)) * (body_.shape.a_matrix * normal);
-    const double place = dot(direction, surface - start);
-    const Vector3 foot = start + place * direction;
-    if (place > 0.0 && place < length && is_inside(foot))
+    const double along = dot(direction, surface - start);
+    const Vector3 foot = start + along * direction;
+    if (along > 0.0 && along < length && is_inside(foot))
       add(contact_at(TriangleFeature::edge, body_, foot, normal));
   }
 
@@ -126,7 +126,7 @@ TriangleContacts find_face_contact(const EllipsoidBody& body, const Triangle& t)
   const ContactGeometry plane = find_plane_contact(body.shape, t[0], normal);
   if (plane.status == ContactStatus::separated)
     return contacts;
-  contacts.plane_is_reached = contacts.boundary_is_open = true;
+  contacts.plane_is_reached = contacts.boundary_may_touch = true;
   const Vector3 foot = plane.point - (0.5 * plane.overlap) * normal;
   if (!is_on(t, right, foot, wall_tolerance::on_triangle * extent(body)))
     return contacts;
@@ -134,7 +134,7 @@ TriangleContacts find_face_contact(const EllipsoidBody& body, const Triangle& t)
   contacts.face.point = plane.point;
   contacts.face.overlap = plane.overlap;
   // a shallow one is the only minimum (Blaschke; see is_settled in ellipsoid_contact.h)
-  contacts.boundary_is_open = contacts.face.deep;
+  contacts.boundary_may_touch = contacts.face.deep;
   if (contacts.face.deep)
     contacts.face_is_missed = !reaches(body, t);
   return contacts;
@@ -158,8 +158,8 @@ TriangleContacts find_face_contact(const SphereBody& body, const Triangle& t) {
     return contacts;
   contacts.plane_is_reached = true;
   const Vector3 foot = body.centre - height * right;
-  contacts.boundary_is_open = !is_on(t, right, foot, wall_tolerance::on_triangle * extent(body));
-  if (!contacts.boundary_is_open)
+  contacts.boundary_may_touch = !is_on(t, right, foot, wall_tolerance::on_triangle * extent(body));
+  if (!contacts.boundary_may_touch)
     contacts.face = contact_at(TriangleFeature::face, body, foot, above ? -right : right);
   return contacts;
 }
@@ -258,8 +258,8 @@ bool crosses(const Triangle& t, const Vector3& from, const Vector3& to, double f
   const double share = before / (before - after);
   if (!(share > first && share < last))
     return false;
-  const Vector3 place = from + share * (to - from);
-  return is_on(t, normalized(area), place, wall_tolerance::on_triangle * norm(to - from));
+  const Vector3 point = from + share * (to - from);
+  return is_on(t, normalized(area), point, wall_tolerance::on_triangle * norm(to - from));
 }
 
 } // namespace ellipsoid

@@ -56,28 +56,16 @@ struct TriangleContacts {
   bool plane_is_reached = false;
   /// There may be a minimum at an edge or corner: the plane is reached, and that at the face is not
   /// certainly the only one.
-  bool boundary_is_open = false;
+  bool boundary_may_touch = false;
 };
 
 /// All but the boundary. The particle's centre tells which side of the plane is in front.
 TriangleContacts find_face_contact(const EllipsoidBody& body, const Triangle& triangle);
 TriangleContacts find_face_contact(const SphereBody& body, const Triangle& triangle);
 
-/// The boundary, where it is open.
+/// The boundary, where it may touch.
 TriangleContact find_boundary_contact(const EllipsoidBody& body, const Triangle& triangle);
 TriangleContact find_boundary_contact(const SphereBody& body, const Triangle& triangle);
-
-/// The smaller of the minima.
-template <class Body>
-TriangleContact find_triangle_contact(const Body& body, const Triangle& triangle) {
-  TriangleContacts c = find_face_contact(body, triangle);
-  if (c.boundary_is_open)
-    c.boundary = find_boundary_contact(body, triangle);
-  const bool boundary =
-      c.boundary.feature != TriangleFeature::none &&
-      (c.face.feature == TriangleFeature::none || c.boundary.overlap < c.face.overlap);
-  return boundary ? c.boundary : c.face_is_missed ? TriangleContact{} : c.face;
-}
 
 /// Contact at the triangle's point that the body reaches first when it grows about its centre from
 /// nothing: defined for any depth, but at edges and corners the overlap is phi at a normal that

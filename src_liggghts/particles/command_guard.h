@@ -1,9 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Looks at each command of an input script before and after the host executes it: refuses what is
+// Guards each command of an input script before and after the host executes it: refuses what is
 // unsuited for ellipsoids, and completes what the host's commands leave undone on them.
-#ifndef COMMAND_WATCH_H_
-#define COMMAND_WATCH_H_
+#pragma once
 
 #include "new_numbers.h"
 
@@ -19,16 +18,16 @@ namespace ellipsoid_host {
 
 /// Lives as long as the host executes the command. Does nothing without atom_style
 /// granular/ellipsoid.
-class CommandWatch {
+class CommandGuard {
  public:
   /// Stops with one line where the command does not work with ellipsoids.
-  CommandWatch(LAMMPS_NS::LAMMPS* lmp, const char* command, int count, char** arguments);
+  CommandGuard(LAMMPS_NS::LAMMPS* lmp, const char* command, int count, char** arguments);
   /// Completes `set`, `velocity` and `displace_atoms`: omega and angular momentum agree, bodies
   /// turn with their centres, moments follow the mass; contact histories know the new numbers that
   /// `delete_atoms` gives.
-  ~CommandWatch();
-  CommandWatch(const CommandWatch&) = delete;
-  CommandWatch& operator=(const CommandWatch&) = delete;
+  ~CommandGuard();
+  CommandGuard(const CommandGuard&) = delete;
+  CommandGuard& operator=(const CommandGuard&) = delete;
 
  private:
   LAMMPS_NS::LAMMPS* lmp_;
@@ -45,5 +44,3 @@ class CommandWatch {
 };
 
 } // namespace ellipsoid_host
-
-#endif

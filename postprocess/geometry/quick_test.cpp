@@ -1,14 +1,14 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#include "first_look.h"
+#include "quick_test.h"
 
 #include "vectorised/vector_versions.h"
 
 namespace ellipsoid::post {
 namespace {
 
-using Columns = FirstLookBatch::Columns;
+using Columns = QuickTestBatch::Columns;
 
-inline void look_at_pair(Columns& columns, int k) {
+inline void test_pair(Columns& columns, int k) {
   using C = Columns;
   const auto matrix = [&columns, k](int column) {
     return SymmetricMatrix3{columns.in[column][k],     columns.in[column + 1][k],
@@ -17,8 +17,8 @@ inline void look_at_pair(Columns& columns, int k) {
   };
   const SymmetricMatrix3 i = matrix(C::a_i), j = matrix(C::a_j);
   const Vector3 d{columns.in[C::dx][k], columns.in[C::dy][k], columns.in[C::dz][k]};
-  const FirstLook first = first_look(i, j, d, 0.5);
-  const FirstLook second = first_look(i, j, d, first.next_lambda);
+  const QuickTest first = quick_test(i, j, d, 0.5);
+  const QuickTest second = quick_test(i, j, d, first.next_lambda);
   const Vector3& y = second.normal;
   const double length = std::sqrt(dot(y, y));
   const bool has_length = length > 0.0;
@@ -30,16 +30,16 @@ inline void look_at_pair(Columns& columns, int k) {
   columns.out[C::touch][k] = (first.touch | second.touch) ? 1.0 : 0.0;
 }
 
-inline void look_loop(Columns& columns, int size) {
+inline void test_loop(Columns& columns, int size) {
 #pragma GCC ivdep
   for (int k = 0; k < size; ++k)
-    look_at_pair(columns, k);
+    test_pair(columns, k);
 }
 
 } // namespace
 
-void FirstLookBatch::solve() {
-  WidestVersion<look_loop>::run(m_columns, filled_up(m_columns.in, size()));
+void QuickTestBatch::solve() {
+  WidestVersion<test_loop>::run(m_columns, filled_up(m_columns.in, size()));
 }
 
 } // namespace ellipsoid::post

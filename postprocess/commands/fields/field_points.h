@@ -14,41 +14,41 @@
 
 namespace ellipsoid::post {
 
-struct FieldPlaceOptions {
+struct FieldPointOptions {
   std::vector<int> grid;
   std::string profile, axis = "z";
   std::vector<double> at, box, cylinder;
   int slices = 50;
 };
 
-void add_field_place_options(CLI::App& command, FieldPlaceOptions& options);
+void add_field_point_options(CLI::App& command, FieldPointOptions& options);
 
-/// The places, fixed when the first frame is known.
-class FieldPlaces {
+/// The points, fixed when the first frame is known.
+class FieldPoints {
  public:
   /// @param[in] width of the coarse-graining function (length)
   /// Throws InputError for options that do not belong together.
-  FieldPlaces(const FieldPlaceOptions& options, const Box& box, double width);
+  FieldPoints(const FieldPointOptions& options, const Box& box, double width);
 
   /// Targets for one frame, whose sums() go with gathered().
   std::unique_ptr<FieldTargets> targets(const CoarseGrainingFunction& function,
                                         const PeriodicCell& cell, double longest) const;
-  /// Sums of the targets, one per place: rings are averaged in cylindrical components.
+  /// Sums of the targets, one per point: rings are averaged in cylindrical components.
   std::vector<FieldSums> gathered(const std::vector<FieldSums>& sums) const;
 
   std::size_t count() const { return m_rows.size(); }
-  /// Columns that tell the place.
-  const Row& row(std::size_t place) const { return m_rows[place]; }
+  /// Columns that tell where the point is.
+  const Row& row(std::size_t point) const { return m_rows[point]; }
   const ComponentNames& component_names() const { return m_names; }
   bool is_grid() const { return m_image.counts[0] > 0; }
   /// The grid without values.
   const ImageData& image() const { return m_image; }
 
  private:
-  void take_points(const std::vector<double>& coordinates);
-  void take_grid(const std::vector<int>& counts, const Box& box);
-  void take_planes(std::size_t axis, int slices, const Box& box, bool is_part);
-  void take_rings(const FieldPlaceOptions& options, double width);
+  void set_points(const std::vector<double>& coordinates);
+  void set_grid(const std::vector<int>& counts, const Box& box);
+  void set_planes(std::size_t axis, int slices, const Box& box, bool is_part);
+  void set_rings(const FieldPointOptions& options, double width);
 
   std::vector<Vector3> m_points;
   std::vector<std::size_t> m_place_of_point; ///< rings only

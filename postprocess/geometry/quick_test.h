@@ -1,6 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Whether two ellipsoids touch, as far as a look or two tell before any search; many pairs at once.
+// Whether two ellipsoids touch, as far as a test or two tell before any search; many pairs at once.
 #pragma once
 
 #include "ellipsoid/ellipsoid_contact.h"
@@ -12,8 +12,8 @@
 
 namespace ellipsoid::post {
 
-/// What one look at two ellipsoids tells.
-struct FirstLook {
+/// What one test of two ellipsoids tells.
+struct QuickTest {
   bool are_apart = false;   ///< proved by `normal`
   bool touch = false;       ///< proved by a point inside both
   Vector3 normal;           ///< from i to j, any length: near the contact's
@@ -25,7 +25,7 @@ struct FirstLook {
 /// (1 - lambda)^2 s_i(y)^2 and lambda^2 s_j(y)^2 of the bodies (1: surface), and y is the normal
 /// of a plane that separates them when s_i(y) + s_j(y) < y.d.
 /// @param[in] i, j the bodies' matrices A (length^2), @param[in] d from i's centre to j's (length)
-inline FirstLook first_look(const SymmetricMatrix3& i, const SymmetricMatrix3& j, const Vector3& d,
+inline QuickTest quick_test(const SymmetricMatrix3& i, const SymmetricMatrix3& j, const Vector3& d,
                             double lambda) {
   // far above the rounding of the most slender bodies that are read (aspect ratio 1e4)
   constexpr double well_inside = 1.0 - 1.0e-6;
@@ -39,9 +39,9 @@ inline FirstLook first_look(const SymmetricMatrix3& i, const SymmetricMatrix3& j
   return {sum < dot(y, d), touch, {y.x, y.y, y.z}, next}; // number by number: vectors
 }
 
-/// Two looks at each of many pairs. All take the same operations: the compiler turns the loop into
+/// Two tests of each of many pairs. All take the same operations: the compiler turns the loop into
 /// vector instructions.
-class FirstLookBatch : public Batch {
+class QuickTestBatch : public Batch {
  public:
   /// @param[in] distance from i's centre to j's (length)
   void add(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& distance);
@@ -69,7 +69,7 @@ class FirstLookBatch : public Batch {
   Columns m_columns;
 };
 
-inline void FirstLookBatch::add(const EllipsoidShape& i, const EllipsoidShape& j,
+inline void QuickTestBatch::add(const EllipsoidShape& i, const EllipsoidShape& j,
                                 const Vector3& distance) {
   const int k = next();
   const auto put_matrix = [this, k](int column, const SymmetricMatrix3& a) {

@@ -1,9 +1,11 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Settings of contact models that are checked as strictly as the arguments of our fixes.
-#ifndef ELLIPSOID_STRICT_SETTINGS_H
-#define ELLIPSOID_STRICT_SETTINGS_H
+// Settings of the surface models of ellipsoids. The models let the host parse them, which checks
+// their values; pair style and walls read from the command, by in(), what they themselves need.
+#pragma once
 
+#include "model_settings.h"
+#include "multisphere/multisphere_contact.h"
 #include "settings.h"
 #include "whole_number.h"
 
@@ -14,13 +16,15 @@ namespace LIGGGHTS {
 namespace ContactModels {
 
 /// Keyword `contacts K`: simultaneous contacts of one pair of particles (or of a particle and a
-/// wall) that have a place in the history.
+/// wall) that the history has room for.
 class ContactsSetting : public Setting {
  public:
   typedef int value_type;
   static constexpr int standard = 8;
   /// Slots are numbered by short integers.
   static constexpr int largest = std::numeric_limits<short>::max();
+  /// The number in a command that the models have accepted.
+  static int in(const ModelSettings& settings) { return settings.number("contacts", standard); }
   /// What to do where there are `found` contacts and no room for all.
   static std::string remedy(int found) {
     return found <= largest ? "give 'contacts " + std::to_string(found) + "' or more"
@@ -51,7 +55,22 @@ class ContactsSetting : public Setting {
   ValuePropagator<int> current_;
 };
 
+/// Keyword `multicontact sum|average`.
+class MulticontactSetting : public EnumSetting<ellipsoid::MulticontactRule> {
+ public:
+  /// The rule in a command that the models have accepted.
+  static ellipsoid::MulticontactRule in(const ModelSettings& settings) {
+    return settings.value("multicontact", "sum") == "average" ? ellipsoid::MulticontactRule::average
+                                                              : ellipsoid::MulticontactRule::sum;
+  }
+
+  MulticontactSetting(std::string name, ellipsoid::MulticontactRule)
+      : EnumSetting<ellipsoid::MulticontactRule>(name) {
+    addOption("sum", ellipsoid::MulticontactRule::sum);
+    addOption("average", ellipsoid::MulticontactRule::average);
+    setDefault("sum");
+  }
+};
+
 } // namespace ContactModels
 } // namespace LIGGGHTS
-
-#endif

@@ -1,5 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#include "field_places.h"
+#include "field_points.h"
 
 #include "input_error.h"
 
@@ -35,7 +35,7 @@ std::size_t number_of_axis(const std::string& word) {
 
 } // namespace
 
-void add_field_place_options(CLI::App& command, FieldPlaceOptions& options) {
+void add_field_point_options(CLI::App& command, FieldPointOptions& options) {
   auto* grid = command.add_option("--grid", options.grid, "numbers of points along x, y, z");
   grid->expected(3)->check(CLI::Range(1, 10000));
   auto* profile = command.add_option("--profile", options.profile,
@@ -44,7 +44,7 @@ void add_field_place_options(CLI::App& command, FieldPlaceOptions& options) {
   command.add_option("--at", options.at, "points: x y z, and more of them")
       ->excludes(grid)
       ->excludes(profile);
-  command.add_option("--slices", options.slices, "places of the profile")
+  command.add_option("--slices", options.slices, "points of the profile")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
   auto* box = command.add_option(
@@ -61,23 +61,23 @@ void add_field_place_options(CLI::App& command, FieldPlaceOptions& options) {
       ->capture_default_str();
 }
 
-FieldPlaces::FieldPlaces(const FieldPlaceOptions& options, const Box& box, double width) {
+FieldPoints::FieldPoints(const FieldPointOptions& options, const Box& box, double width) {
   const Box part = options.box.empty() ? box : box_of(options.box);
   if (!options.at.empty())
-    take_points(options.at);
+    set_points(options.at);
   else if (!options.grid.empty() && options.box.empty() && !box.tilted_edges.empty())
     throw InputError("a grid in a tilted box needs --box");
   else if (!options.grid.empty())
-    take_grid(options.grid, part);
+    set_grid(options.grid, part);
   else if (options.profile == "radius")
-    take_rings(options, width);
+    set_rings(options, width);
   else if (!options.profile.empty())
-    take_planes(number_of_axis(options.profile), options.slices, part, !options.box.empty());
+    set_planes(number_of_axis(options.profile), options.slices, part, !options.box.empty());
   else
     throw InputError("say where: --grid nx ny nz, --profile x|y|z|radius, or --at x y z");
 }
 
-void FieldPlaces::take_points(const std::vector<double>& coordinates) {
+void FieldPoints::set_points(const std::vector<double>& coordinates) {
   if (coordinates.size() % 3 != 0)
     throw InputError("--at needs three numbers for each point");
   for (std::size_t k = 0; k < coordinates.size(); k += 3) {
@@ -87,7 +87,7 @@ void FieldPlaces::take_points(const std::vector<double>& coordinates) {
 }
 
 /// Points in the middles of equal boxes: sums over them times a box's volume are integrals.
-void FieldPlaces::take_grid(const std::vector<int>& counts, const Box& box) {
+void FieldPoints::set_grid(const std::vector<int>& counts, const Box& box) {
   double step[3];
   for (std::size_t k = 0; k < 3; ++k) {
     step[k] = (box.upper[k] - box.lower[k]) / counts[k];
@@ -103,7 +103,7 @@ void FieldPlaces::take_grid(const std::vector<int>& counts, const Box& box) {
       }
 }
 
-void FieldPlaces::take_planes(std::size_t axis, int slices, const Box& box, bool is_part) {
+void FieldPoints::set_planes(std::size_t axis, int slices, const Box& box, bool is_part) {
   const std::string name = m_names[axis];
   m_plane_axis = axis;
   if (is_part)
@@ -117,7 +117,7 @@ void FieldPlaces::take_planes(std::size_t axis, int slices, const Box& box, bool
 
 /// Points on circles, half a width apart: smooth functions are then integrated to rounding around
 /// the axis.
-void FieldPlaces::take_rings(const FieldPlaceOptions& options, double width) {
+void FieldPoints::set_rings(const FieldPointOptions& options, double width) {
   const std::vector<double>& c = options.cylinder;
   if (c.size() != 5 || !(c[2] > 0.0) || !(c[3] < c[4]))
     throw InputError("a profile over the radius needs --cylinder with a radius > 0 and ends in "
@@ -144,14 +144,14 @@ void FieldPlaces::take_rings(const FieldPlaceOptions& options, double width) {
   }
 }
 
-std::unique_ptr<FieldTargets> FieldPlaces::targets(const CoarseGrainingFunction& function,
+std::unique_ptr<FieldTargets> FieldPoints::targets(const CoarseGrainingFunction& function,
                                                    const PeriodicCell& cell, double longest) const {
   if (m_plane_axis)
     return plane_targets(*m_plane_axis, m_abscissae, m_section, function, cell, longest);
   return point_targets(m_points, function, cell, longest);
 }
 
-std::vector<FieldSums> FieldPlaces::gathered(const std::vector<FieldSums>& sums) const {
+std::vector<FieldSums> FieldPoints::gathered(const std::vector<FieldSums>& sums) const {
   if (m_place_of_point.empty())
     return sums;
   std::vector<FieldSums> means(m_rows.size(), FieldSums{});
@@ -162,9 +162,9 @@ std::vector<FieldSums> FieldPlaces::gathered(const std::vector<FieldSums>& sums)
       means[m_place_of_point[n]][k] += local[k];
     counts[m_place_of_point[n]] += 1.0;
   }
-  for (std::size_t place = 0; place < means.size(); ++place)
-    for (double& value : means[place])
-      value /= counts[place];
+  for (std::size_t point = 0; point < means.size(); ++point)
+    for (double& value : means[point])
+      value /= counts[point];
   return means;
 }
 

@@ -1,5 +1,5 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-#include "command_watch.h"
+#include "command_guard.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -44,7 +44,7 @@ void refuse_style(LAMMPS* lmp, const std::string& kind, const std::string& style
 }
 
 /// `words` of a `pair_style gran` or `fix wall/gran`, as they are written for ellipsoids.
-/// @param[in] at place of the style among them
+/// @param[in] at index of the style among them
 std::string converted(const std::string& command, const Words& words, std::size_t at) {
   static const Words models{"model", "tangential", "cohesion", "rolling_friction", "surface"};
   Words line(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(at));
@@ -74,8 +74,7 @@ constexpr UnsuitedWord unsuited_words[] = {
     {"set", "roundness", "makes other bodies than ellipsoids; use 'set ... shape a b c'"},
     {"fix", "projection",
      "takes the projection of bounding spheres for the area of contacts; use 'contact_area "
-     "overlap' or "
-     "'constant A'"},
+     "overlap' or 'constant A'"},
     {"fix", "transfer_virtualMass",
      "exchanges what a solver computes for spheres; use 'fix couple/cfd/force' without it"},
     {"fix", "transfer_stochastic",
@@ -161,7 +160,7 @@ void check_present_styles(LAMMPS* lmp) {
     refuse_style(lmp, "pair_style", lmp->force->pair_style);
 }
 
-/// The host's superquadrics have other shapes, and nobody watches them. Contact laws are those of
+/// The host's superquadrics have other shapes, and nobody checks them. Contact laws are those of
 /// units in which a force is mass times acceleration.
 void check_atoms_and_units(LAMMPS* lmp) {
   const char* const pair = lmp->force->pair_style;
@@ -180,7 +179,7 @@ void check_atoms_and_units(LAMMPS* lmp) {
 
 } // namespace
 
-CommandWatch::CommandWatch(LAMMPS* lmp, const char* command, int count, char** arguments)
+CommandGuard::CommandGuard(LAMMPS* lmp, const char* command, int count, char** arguments)
     : lmp_(lmp), command_(command), arguments_(arguments, arguments + count) {
   if (command_ == "atom_style" && count > 1 && arguments_[0] == "hybrid" &&
       has_argument("granular/ellipsoid"))
@@ -199,7 +198,7 @@ CommandWatch::CommandWatch(LAMMPS* lmp, const char* command, int count, char** a
     masses_.assign(lmp->atom->rmass, lmp->atom->rmass + lmp->atom->nlocal);
 }
 
-CommandWatch::~CommandWatch() {
+CommandGuard::~CommandGuard() {
   if (!are_ellipsoids(lmp_))
     return;
   if (renumbering_)
@@ -215,11 +214,11 @@ CommandWatch::~CommandWatch() {
   }
 }
 
-bool CommandWatch::has_argument(const std::string& word) const {
+bool CommandGuard::has_argument(const std::string& word) const {
   return std::find(arguments_.begin(), arguments_.end(), word) != arguments_.end();
 }
 
-void CommandWatch::begin_deletion() {
+void CommandGuard::begin_deletion() {
   const auto compress = std::find(arguments_.begin(), arguments_.end(), "compress");
   const bool keeps_numbers = arguments_.end() - compress > 1 && *(compress + 1) == "no";
   if (has_argument("overlap") && !keeps_numbers)
@@ -230,7 +229,7 @@ void CommandWatch::begin_deletion() {
 
 /// Omega is kept, whatever becomes of moments and orientation. (set changes no number of
 /// particles.)
-void CommandWatch::complete_set() {
+void CommandGuard::complete_set() {
   Atom& atom = *lmp_->atom;
   const bool scales = has_argument("mass") && !has_argument("inertiax") &&
                       !has_argument("inertiay") && !has_argument("inertiaz");
@@ -245,7 +244,7 @@ void CommandWatch::complete_set() {
 }
 
 /// Of `displace_atoms GROUP rotate Px Py Pz Rx Ry Rz degrees`: the host has moved the centres.
-void CommandWatch::turn_bodies() const {
+void CommandGuard::turn_bodies() const {
   Atom& atom = *lmp_->atom;
   double numbers[7];
   for (std::size_t k = 0; k < 7; ++k)
