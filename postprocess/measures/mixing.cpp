@@ -262,54 +262,51 @@ void check(const std::vector<double>& values) {
     throw InputError("all particles are alike in what is to be mixed");
 }
 
-} // namespace
-
-Mixing mixing(const ParticleSet& set, const std::vector<double>& values, const PeriodicCell& cell,
-              const MixingOptions& options) {
-  check(values);
-  std::vector<Vector3> centres;
-  for (const Particle& p : set.particles)
-    centres.push_back(p.centre);
-  const auto near = nearest_neighbours(centres, cell, options.neighbours);
-  const Cells cells(cell, options.cell_size);
-  std::map<std::array<std::int64_t, 3>, Sums> sums_of_cell;
+/// Of the cells that are not empty, in a fixed order.
+struct CellSums {
   Sums all;
-  const std::vector<double> weights =
-      options.weights.empty() ? std::vector<double>(centres.size(), 1.0) : options.weights;
+  std::vector<Sums> each;
+  std::vector<std::size_t> cell_of; ///< by particle, in `each`
+  double squares_of_means = 0.0;
+
+  double count() const { return static_cast<double>(each.size()); }
+};
+
+CellSums sums_in_cells(const std::vector<Vector3>& centres, const std::vector<double>& values,
+                       const std::vector<double>& weights,
+                       const std::vector<std::vector<std::size_t>>& near, const Cells& cells) {
+  using Key = std::array<std::int64_t, 3>;
+  CellSums sums;
+  std::map<Key, Sums> sums_of_cell;
+  std::vector<Key> keys;
   for (std::size_t i = 0; i < centres.size(); ++i) {
     double unlike = 0.0;
     for (const std::size_t k : near[i])
       unlike += weights[i] * weights[k] * (values[i] - values[k]) * (values[i] - values[k]);
-    for (Sums* sums : {&sums_of_cell[cells.of(centres[i])], &all})
-      sums->add(weights[i], values[i], unlike);
+    keys.push_back(cells.of(centres[i]));
+    for (Sums* part : {&sums_of_cell[keys.back()], &sums.all})
+      part->add(weights[i], values[i], unlike);
   }
-  std::vector<Sums> each;
-  double squares_of_means = 0.0;
-  for (const auto& entry : sums_of_cell) {
-    each.push_back(entry.second);
-    squares_of_means += mean_square(entry.second);
+  std::map<Key, std::size_t> number_of;
+  for (const auto& [key, part] : sums_of_cell) {
+    number_of.emplace(key, sums.each.size());
+    sums.each.push_back(part);
+    sums.squares_of_means += mean_square(part);
   }
-  if (each.size() < 2)
+  for (const Key& key : keys)
+    sums.cell_of.push_back(number_of.at(key));
+  if (sums.each.size() < 2)
     throw InputError("all particles lie in one cell: choose a smaller --cell");
-  if (each.size() == centres.size())
+  if (sums.each.size() == centres.size())
     throw InputError("every particle has a cell of its own: choose a larger --cell");
-  IndexSettings settings{static_cast<double>(options.neighbours), 1.0};
-  if (!options.weights.empty()) {
-    std::map<const Sums*, std::size_t> number_of;
-    for (const auto& entry : sums_of_cell)
-      number_of.emplace(&entry.second, number_of.size());
-    std::vector<std::size_t> cell_of;
-    for (const Vector3& centre : centres)
-      cell_of.push_back(number_of.at(&sums_of_cell.at(cells.of(centre))));
-    const double first_order =
-        indices_of(all, static_cast<double>(each.size()), squares_of_means, settings).random;
-    settings.correction = random_variance(cell_of, each.size(), values, weights) / first_order;
-  }
-  const Indices i = indices_of(all, static_cast<double>(each.size()), squares_of_means, settings);
-  Mixing result;
-  result.particles = centres.size();
-  result.cells = each.size();
-  result.mean = all.values / all.weight;
+  return sums;
+}
+
+/// Adds what follows from the sums of the cells.
+void add_indices(Mixing& result, const CellSums& sums, const IndexSettings& settings) {
+  const Indices i = indices_of(sums.all, sums.count(), sums.squares_of_means, settings);
+  result.cells = sums.each.size();
+  result.mean = sums.all.values / sums.all.weight;
   result.variance = i.variance;
   result.variance_segregated = i.segregated;
   result.variance_random = i.random;
@@ -320,7 +317,32 @@ Mixing mixing(const ParticleSet& set, const std::vector<double>& values, const P
   result.relative_deviation = i.relative_deviation;
   result.relative_deviation_random = std::sqrt(i.random) / result.mean;
   result.relative_deviation_segregated = std::sqrt(i.segregated) / result.mean;
-  add_errors(result, each, all, squares_of_means, settings);
+  add_errors(result, sums.each, sums.all, sums.squares_of_means, settings);
+}
+
+} // namespace
+
+Mixing mixing(const ParticleSet& set, const std::vector<double>& values, const PeriodicCell& cell,
+              const MixingOptions& options) {
+  check(values);
+  std::vector<Vector3> centres;
+  for (const Particle& p : set.particles)
+    centres.push_back(p.centre);
+  const std::vector<double> weights =
+      options.weights.empty() ? std::vector<double>(centres.size(), 1.0) : options.weights;
+  const CellSums sums =
+      sums_in_cells(centres, values, weights, nearest_neighbours(centres, cell, options.neighbours),
+                    Cells(cell, options.cell_size));
+  IndexSettings settings{static_cast<double>(options.neighbours), 1.0};
+  if (!options.weights.empty()) {
+    const double first_order =
+        indices_of(sums.all, sums.count(), sums.squares_of_means, settings).random;
+    settings.correction =
+        random_variance(sums.cell_of, sums.each.size(), values, weights) / first_order;
+  }
+  Mixing result;
+  result.particles = centres.size();
+  add_indices(result, sums, settings);
   add_mean_positions(result, set, values, weights);
   return result;
 }

@@ -70,8 +70,8 @@ class InsertionSpace : private Pointers {
   bool occupy(const ParticleToInsertEllipsoid& particle, const double* centre,
               const double* quaternion);
   bool may_fit(const ParticleToInsertEllipsoid& particle, const double* centre);
-  /// Of bodies since one found room; counts one more.
-  int refusals() { return ++refusals_; }
+  /// A body found no room. @return how many did not since one did
+  int count_refusal() { return ++refusals_; }
 
  private:
   int refusals_ = 0;
@@ -308,7 +308,8 @@ int try_orientations(ParticleToInsert* particle, double* centre, double* velocit
   // while room is easy to find, orientations stay those of random sequential addition
   constexpr int refusals_before = 100;
   if (!present_space() || !body || body->has_orientation ||
-      present_space()->refusals() <= refusals_before || !present_space()->may_fit(*body, centre))
+      present_space()->count_refusal() <= refusals_before ||
+      !present_space()->may_fit(*body, centre))
     return 0;
   constexpr int most_orientations = 29; // and the one before: bodies of aspect 3.5 are as dense as
                                         // spheres then

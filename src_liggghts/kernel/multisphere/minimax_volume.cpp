@@ -184,10 +184,31 @@ class Descent {
   std::vector<Unknown> unknowns_; ///< x, y, radius of each sphere
 };
 
-/// Inscribed spheres of which each adds the most volume to those before it. What a sphere adds only
-/// falls while others are placed, so that it is counted again only when it leads.
-std::vector<MirroredSphere> largest_gains(const SortedSemiaxes& axes, int count,
-                                          const std::vector<Ray>& rays) {
+/// How far spheres reach along rays from the centre.
+class Coverage {
+ public:
+  explicit Coverage(const std::vector<Ray>& rays) : rays_(rays), reached_(rays.size(), 0.0) {}
+  /// What a sphere adds to the volume, for each sphere that it costs.
+  double gain(const MirroredSphere& sphere) const {
+    double gain = 0.0;
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+      const double t = exit_of(rays_[i], sphere);
+      if (t > reached_[i])
+        gain += t * t * t - reached_[i] * reached_[i] * reached_[i];
+    }
+    return gain / sphere.count();
+  }
+  void add(const MirroredSphere& sphere) {
+    for (std::size_t i = 0; i < rays_.size(); ++i)
+      reached_[i] = std::max(reached_[i], exit_of(rays_[i], sphere));
+  }
+
+ private:
+  const std::vector<Ray>& rays_;
+  std::vector<double> reached_;
+};
+
+std::vector<MirroredSphere> inscribed_candidates(const SortedSemiaxes& axes) {
   std::vector<MirroredSphere> candidates;
   for (const Ray& ray : rays_over(axes, start_candidates)) {
     const double u = ray.end.x / axes.a, v = ray.end.y / axes.b;
@@ -196,38 +217,36 @@ std::vector<MirroredSphere> largest_gains(const SortedSemiaxes& axes, int count,
     candidates.push_back(inscribed_sphere(axes, {rim, 0.0, ray.end.z / axes.c}));
     candidates.push_back(inscribed_sphere(axes, {0.0, rim, ray.end.z / axes.c}));
   }
+  return candidates;
+}
+
+/// Inscribed spheres of which each adds the most volume to those before it. What a sphere adds only
+/// falls while others are placed, so that it is counted again only when it leads.
+std::vector<MirroredSphere> largest_gains(const SortedSemiaxes& axes, int count,
+                                          const std::vector<Ray>& rays) {
+  const std::vector<MirroredSphere> candidates = inscribed_candidates(axes);
+  Coverage covered(rays);
   std::vector<MirroredSphere> placed;
-  if (count % 2 == 1)
+  if (count % 2 == 1) {
     placed.push_back({0.0, 0.0, axes.c});
-  std::vector<double> reached;
-  for (const Ray& ray : rays)
-    reached.push_back(placed.empty() ? 0.0 : exit_of(ray, placed.front()));
-  const auto gain_of = [&](const MirroredSphere& sphere) { // for each sphere that it costs
-    double gain = 0.0;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      const double t = exit_of(rays[i], sphere);
-      if (t > reached[i])
-        gain += t * t * t - reached[i] * reached[i] * reached[i];
-    }
-    return gain / sphere.count();
-  };
+    covered.add(placed.front());
+  }
   std::priority_queue<std::pair<double, std::size_t>> leaders;
   for (std::size_t k = 0; k < candidates.size(); ++k)
-    leaders.push({gain_of(candidates[k]), k});
+    leaders.push({covered.gain(candidates[k]), k});
   for (int left = count - count % 2; left > 0 && !leaders.empty();) {
     const std::size_t k = leaders.top().second;
     leaders.pop();
     if (candidates[k].count() > left || candidates[k].count() == 1)
       continue;
-    const double gain = gain_of(candidates[k]);
+    const double gain = covered.gain(candidates[k]);
     if (!leaders.empty() && gain < leaders.top().first) {
       leaders.push({gain, k});
       continue;
     }
     placed.push_back(candidates[k]);
     left -= placed.back().count();
-    for (std::size_t i = 0; i < rays.size(); ++i)
-      reached[i] = std::max(reached[i], exit_of(rays[i], placed.back()));
+    covered.add(placed.back());
   }
   return placed;
 }
