@@ -60,7 +60,8 @@ void WallMeshes::collect(int count, int groupbit) {
   particles_.clear();
   is_moving_.clear();
   for (int m = 0; m < count; ++m) {
-    is_moving_.push_back(meshes_[m]->triMesh()->isMoving() || meshes_[m]->triMesh()->isDeforming());
+    const bool moves = meshes_[m]->triMesh()->isMoving() || meshes_[m]->triMesh()->isDeforming();
+    is_moving_.push_back(moves ? 1 : 0);
     const int triangles = meshes_[m]->triMesh()->sizeLocal() + meshes_[m]->triMesh()->sizeGhost();
     for (int t = 0; t < triangles; ++t)
       collect_triangle(m, t, groupbit);
