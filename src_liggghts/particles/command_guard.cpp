@@ -221,10 +221,11 @@ bool CommandGuard::has_argument(const std::string& word) const {
 void CommandGuard::begin_deletion() {
   const auto compress = std::find(arguments_.begin(), arguments_.end(), "compress");
   const bool keeps_numbers = arguments_.end() - compress > 1 && *(compress + 1) == "no";
-  if (has_argument("overlap") && !keeps_numbers)
-    refuse(lmp_, "delete_atoms overlap",
-           "numbers particles anew while they change their ranks; add 'compress no'");
   renumbering_ = std::make_unique<Renumbering>(lmp_, !keeps_numbers);
+  if (has_argument("overlap") && renumbering_->is_needed())
+    refuse(lmp_, "delete_atoms overlap",
+           "numbers particles that have contacts anew while they change their ranks; add 'compress "
+           "no'");
 }
 
 /// Omega is kept, whatever becomes of moments and orientation. (set changes no number of

@@ -35,6 +35,15 @@ std::array<double, 3> position(const Atom& atom, int i) {
   return {atom.x[i][0], atom.x[i][1], atom.x[i][2]};
 }
 
+/// Whether a particle of any rank has a contact history.
+bool any_partners(const LAMMPS& lmp, FixContactHistory* histories) {
+  int mine = 0, any = 0;
+  for (int i = 0; histories && i < lmp.atom->nlocal; ++i)
+    mine += histories->n_partner(i) > 0 ? 1 : 0;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_SUM, lmp.world);
+  return any > 0;
+}
+
 } // namespace
 
 Renumbering::Renumbering(LAMMPS* lmp, bool numbers_anew) : lmp_(lmp), numbers_anew_(numbers_anew) {
@@ -51,8 +60,9 @@ Renumbering::Renumbering(LAMMPS* lmp, bool numbers_anew) : lmp_(lmp), numbers_an
     if (dynamic_cast<KnowsNumbers*>(lmp->modify->fix[k]))
       lmp->modify->fix[k]->setup_pre_exchange();
   // the host does this once more, with the same lists
+  numbers_anew_ = any_partners(*lmp, static_cast<FixContactHistory*>(histories)) && numbers_anew;
   const Atom& atom = *lmp->atom;
-  for (int i = 0; numbers_anew && i < atom.nlocal; ++i)
+  for (int i = 0; numbers_anew_ && i < atom.nlocal; ++i)
     old_numbers_[position(atom, i)] = atom.tag[i];
 }
 

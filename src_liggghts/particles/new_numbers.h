@@ -31,6 +31,8 @@ class Renumbering {
   /// Histories go to the particles. Stops where that is too late.
   /// @param[in] numbers_anew false: particles keep their numbers
   Renumbering(LAMMPS_NS::LAMMPS* lmp, bool numbers_anew);
+  /// Whether there are contacts that know partners by numbers which change.
+  bool is_needed() const { return numbers_anew_; }
   void finish();
 
  private:

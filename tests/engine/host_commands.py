@@ -95,6 +95,30 @@ class Commands(unittest.TestCase):
             self.assertGreater(np.abs(found["kept"][:, 0] - found["anew"][:, 0]).max(), 0)
             np.testing.assert_allclose(found["anew"][:, 3:], found["kept"][:, 3:], rtol=1e-7, atol=1e-7 * largest)
 
+    def test_delete_atoms_overlap(self):
+        """Before there are contacts it numbers the rest anew, also in a periodic box; then with `compress no` only."""
+        places = [((k % 2 + 0.1) * 5e-3, (k // 2 % 2 + 0.1) * 5e-3, (k // 4 + 0.1) * 5e-3) for k in range(8)]
+        twice = [Particle((x + shift, y, z - 6.0 * shift), (1.6e-3, 1.2e-3, 1.4e-3), omega=(0.0, 0.0, 10.0 + k))
+                 for shift in (0.0, 1e-4) for k, (x, y, z) in enumerate(places)]
+        for ranks in (1, 2):
+            head = (Setup(box=(0.0, 1e-2) * 3, boundary="p p p", skin=3e-4).with_particles(twice, "twice.data")
+                    + "fix motion all nve/ellipsoid\n")
+            for compress, ids in (("", range(1, 9)), ("compress no", None)):
+                values = self.after_deletion(head + f"delete_atoms overlap 1e-3 all all {compress}\n", "overlap", ranks)
+                values = values[np.argsort(values[:, 0])]
+                self.assertEqual(len(values), 8)
+                if ids:
+                    np.testing.assert_array_equal(values[:, 0], ids)
+                away = values[:, None, 3:6] - values[None, :, 3:6]
+                away = np.linalg.norm(away - 1e-2 * np.round(away / 1e-2), axis=2)
+                self.assertGreater(away[~np.eye(8, dtype=bool)].min(), 4e-3)
+                spins = values[:, REPLAYED.index("omegaz")]
+                np.testing.assert_allclose(np.sort(spins), 10.0 + np.arange(8), rtol=1e-9)
+            late = script((1, 1, 2)) + "run 1\nrun 0\ndelete_atoms overlap 1e-4 all all\n"
+            outcome = run(late, ranks, check=False, name="in.late")
+            self.assertEqual(outcome.code, 1)
+            self.assertRegex(outcome.text, "ERROR: delete_atoms overlap [^\n]*add 'compress no'")
+
     @staticmethod
     def after_deletion(text, name, ranks):
         run(text + "run 1\n" + dump(f"{name}.dump", columns=REPLAYED)
