@@ -51,63 +51,63 @@ double longest_way(const ParticleSet& set) {
 class FieldFrames {
  public:
   explicit FieldFrames(const FieldsOptions& options)
-      : m_options(options), m_lists(options.forces), m_blocks(options.has_errors) {}
+      : options_(options), lists_(options.forces), blocks_(options.has_errors) {}
 
   void add(const ChosenFrame& chosen) {
     if (chosen.set.particles.empty())
       throw InputError("there are no particles");
-    if (!m_points)
+    if (!points_)
       begin(chosen);
     const PeriodicCell cell(chosen.set.box);
     FieldOptions material;
-    if (m_options.density > 0.0)
-      material.density = m_options.density;
-    const std::vector<ForceContact> contacts = m_lists.at(chosen.frame.timestep, chosen.set, cell);
-    const auto targets = m_points->targets(*m_function, cell, longest_way(chosen.set));
+    if (options_.density > 0.0)
+      material.density = options_.density;
+    const std::vector<ForceContact> contacts = lists_.at(chosen.frame.timestep, chosen.set, cell);
+    const auto targets = points_->targets(*function_, cell, longest_way(chosen.set));
     add_frame(*targets, chosen.set, contacts, cell, material);
-    const std::vector<FieldSums> sums = m_points->gathered(targets->sums());
-    m_has_motion = m_has_motion && chosen.set.has_velocities;
-    m_has_spins = m_has_spins && chosen.set.has_spins;
-    if (!m_options.is_average) {
+    const std::vector<FieldSums> sums = points_->gathered(targets->sums());
+    has_motion_ = has_motion_ && chosen.set.has_velocities;
+    has_spins_ = has_spins_ && chosen.set.has_spins;
+    if (!options_.is_average) {
       Row row = frame_row(chosen);
-      append_time(row, chosen.frame, m_options.time_step);
+      append_time(row, chosen.frame, options_.time_step);
       write_frame(row, sums, chosen.frame.timestep);
       return;
     }
-    if (m_blocks.frames() == 0)
-      m_row = frame_row(chosen);
-    m_last_step = chosen.frame.timestep;
-    m_blocks.add(sums);
+    if (blocks_.frames() == 0)
+      row_ = frame_row(chosen);
+    last_step_ = chosen.frame.timestep;
+    blocks_.add(sums);
   }
 
   /// Of all frames so far: the rows of their mean, with --average.
   void add_mean() {
-    if (m_blocks.frames() == 0)
+    if (blocks_.frames() == 0)
       return;
-    m_row.push_back({"last_timestep", "last time step", "", m_last_step});
-    m_row.push_back({"frames", "frames", "", static_cast<std::int64_t>(m_blocks.frames())});
+    row_.push_back({"last_timestep", "last time step", "", last_step_});
+    row_.push_back({"frames", "frames", "", static_cast<std::int64_t>(blocks_.frames())});
     std::vector<FieldSums> means;
-    for (std::size_t n = 0; n < m_blocks.points(); ++n)
-      means.push_back(m_blocks.mean(n));
-    write_frame(m_row, means, m_last_step);
+    for (std::size_t n = 0; n < blocks_.points(); ++n)
+      means.push_back(blocks_.mean(n));
+    write_frame(row_, means, last_step_);
   }
 
-  const Table& all() const { return m_all; }
-  const Table& main() const { return m_main; }
+  const Table& all() const { return all_; }
+  const Table& main() const { return main_; }
 
  private:
   void begin(const ChosenFrame& chosen) {
-    const double width = m_options.width > 0.0 ? m_options.width : usual_width(chosen.set);
-    m_function.emplace(shape_of_word.at(m_options.kernel), width);
-    m_points.emplace(m_options.points, chosen.set.box, width);
-    if (!m_options.vti.empty() && !m_points->is_grid())
+    const double width = options_.width > 0.0 ? options_.width : usual_width(chosen.set);
+    function_.emplace(shape_of_word.at(options_.kernel), width);
+    points_.emplace(options_.points, chosen.set.box, width);
+    if (!options_.vti.empty() && !points_->is_grid())
       throw InputError("--vti needs --grid");
-    m_main.title = "Fields (" + m_options.kernel + ", width " + shown(Value(width)) + " m)";
+    main_.title = "Fields (" + options_.kernel + ", width " + shown(Value(width)) + " m)";
   }
 
   KnownFields known() const {
-    const ForceListOptions& lists = m_options.forces;
-    return {m_has_motion, m_has_spins, lists.is_given(), !lists.walls.empty(),
+    const ForceListOptions& lists = options_.forces;
+    return {has_motion_, has_spins_, lists.is_given(), !lists.walls.empty(),
             !lists.contact_columns.normals.empty() || !lists.wall_columns.normals.empty()};
   }
 
@@ -116,40 +116,40 @@ class FieldFrames {
     for (std::size_t n = 0; n < sums.size(); ++n) {
       fields.push_back(fields_of(sums[n]));
       Row row = begin;
-      row.push_back({"width_m", "width", "m", m_function->width()});
-      const Row& point = m_points->row(n);
+      row.push_back({"width_m", "width", "m", function_->width()});
+      const Row& point = points_->row(n);
       row.insert(row.end(), point.begin(), point.end());
       Row few = begin;
       few.insert(few.end(), point.begin(), point.end());
-      append_fields(row, fields.back(), known(), m_points->component_names());
-      if (m_options.has_errors)
-        append_field_errors(row, known(), m_points->component_names(), errors_at(n));
-      append_main_fields(few, row, m_points->component_names());
-      m_all.rows.push_back(std::move(row));
-      m_main.rows.push_back(std::move(few));
+      append_fields(row, fields.back(), known(), points_->component_names());
+      if (options_.has_errors)
+        append_field_errors(row, known(), points_->component_names(), errors_at(n));
+      append_main_fields(few, row, points_->component_names());
+      all_.rows.push_back(std::move(row));
+      main_.rows.push_back(std::move(few));
     }
-    if (m_options.vti.empty())
+    if (options_.vti.empty())
       return;
-    ImageData image = m_points->image();
+    ImageData image = points_->image();
     image.values = grid_values(fields, known());
-    write_text(name_with_step(m_options.vti, timestep), vti_text(image));
+    write_text(name_with_step(options_.vti, timestep), vti_text(image));
   }
 
   /// Of all numbers of the fields at a point; empty for less than two frames.
   std::vector<double> errors_at(std::size_t point) const {
-    return m_blocks.standard_errors(
+    return blocks_.standard_errors(
         point, [this](const FieldSums& sums) { return field_numbers(fields_of(sums), known()); });
   }
 
-  const FieldsOptions& m_options;
-  ForceLists m_lists;
-  std::optional<CoarseGrainingFunction> m_function;
-  std::optional<FieldPoints> m_points;
-  bool m_has_motion = true, m_has_spins = true;
-  std::int64_t m_last_step = 0;
-  Row m_row; ///< of the first frame
-  FieldBlocks m_blocks;
-  Table m_all{"Fields", {}}, m_main;
+  const FieldsOptions& options_;
+  ForceLists lists_;
+  std::optional<CoarseGrainingFunction> function_;
+  std::optional<FieldPoints> points_;
+  bool has_motion_ = true, has_spins_ = true;
+  std::int64_t last_step_ = 0;
+  Row row_; ///< of the first frame
+  FieldBlocks blocks_;
+  Table all_{"Fields", {}}, main_;
 };
 
 int run(const FieldsOptions& options) {

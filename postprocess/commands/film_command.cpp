@@ -37,18 +37,18 @@ class TemporaryFolder {
     if (!mkdtemp(name.data()))
       throw InputError(fmt::format("{}: no folder for the pictures can be made: {}", name,
                                    std::strerror(errno)));
-    m_path = name;
+    path_ = name;
   }
   ~TemporaryFolder() {
     std::error_code ignored;
-    std::filesystem::remove_all(m_path, ignored);
+    std::filesystem::remove_all(path_, ignored);
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::string& path() const { return m_path; }
+  const std::string& path() const { return path_; }
 
  private:
-  std::string m_path;
+  std::string path_;
 };
 
 /// Runs a program by its name, without a shell. @return its exit status, 127 where it is not there

@@ -117,114 +117,114 @@ void append_counts(Row& row, const FlowStep& step) {
 class FlowRun {
  public:
   FlowRun(const FlowOptions& options, std::string name)
-      : m_options(options), m_name(std::move(name)), m_flow(gate_of(options)),
-        m_profile(profile_of(options)) {
+      : options_(options), name_(std::move(name)), flow_(gate_of(options)),
+        profile_(profile_of(options)) {
     if (!options.inlet.empty())
-      m_inlet.emplace(plane_gate(options.inlet, "--inlet"));
-    m_sum.volume_share_mass = 0.0;
+      inlet_.emplace(plane_gate(options.inlet, "--inlet"));
+    sum_.volume_share_mass = 0.0;
   }
-  const std::string& name() const { return m_name; }
+  const std::string& name() const { return name_; }
 
   void advance(const ChosenFrame& chosen, Table& steps, Table& passages) {
-    if (!m_clock.advances(chosen))
+    if (!clock_.advances(chosen))
       return;
     const std::optional<double> density =
-        m_options.density > 0.0 ? std::optional<double>(m_options.density) : std::nullopt;
+        options_.density > 0.0 ? std::optional<double>(options_.density) : std::nullopt;
     const PeriodicCell cell(chosen.set.box);
-    const auto step = m_flow.advance(chosen.set, cell, density);
-    const auto entered = m_inlet ? m_inlet->advance(chosen.set, cell, density) : std::nullopt;
-    const std::optional<double> before = m_time;
-    m_time = time_of(chosen.frame, m_options.time_step);
-    m_timestep = chosen.frame.timestep;
-    if (!m_time && (m_inlet || m_profile || !m_options.passages.empty()))
-      throw InputError(std::string(m_inlet     ? "--inlet"
-                                   : m_profile ? "--profile"
-                                               : "--passages") +
+    const auto step = flow_.advance(chosen.set, cell, density);
+    const auto entered = inlet_ ? inlet_->advance(chosen.set, cell, density) : std::nullopt;
+    const std::optional<double> before = time_;
+    time_ = time_of(chosen.frame, options_.time_step);
+    timestep_ = chosen.frame.timestep;
+    if (!time_ && (inlet_ || profile_ || !options_.passages.empty()))
+      throw InputError(std::string(inlet_     ? "--inlet"
+                                   : profile_ ? "--profile"
+                                              : "--passages") +
                        " needs times, which the file does not state: give --dt");
     if (!step) {
-      m_first_time = m_time;
+      first_time_ = time_;
       return;
     }
     add(*step);
-    const bool has_times = before && m_time && *m_time > *before;
+    const bool has_times = before && time_ && *time_ > *before;
     const std::vector<double> residence =
         has_times ? follow(*step, entered, *before, passages) : std::vector<double>();
     if (has_times)
-      m_rates.push_back((step->mass_forward - step->mass_backward) / (*m_time - *before));
-    if (m_options.is_total || m_profile)
+      rates_.push_back((step->mass_forward - step->mass_backward) / (*time_ - *before));
+    if (options_.is_total || profile_)
       return;
     Row row = frame_row(chosen);
-    append_time(row, chosen.frame, m_options.time_step);
+    append_time(row, chosen.frame, options_.time_step);
     append_counts(row, *step);
     row.push_back({"mass_so_far_kg", "net mass so far", "kg", net_mass()});
-    row.push_back({"rate_kg_per_s", "rate", "kg/s", has_times ? Value(m_rates.back()) : Value()});
-    if (m_time)
+    row.push_back({"rate_kg_per_s", "rate", "kg/s", has_times ? Value(rates_.back()) : Value()});
+    if (time_)
       append_residence(row, residence);
     steps.rows.push_back(std::move(row));
   }
 
   /// After the last frame: the rows of the whole run.
   void append_totals(Table& table) const {
-    if (m_profile)
+    if (profile_)
       append_profile(table);
-    else if (m_options.is_total)
+    else if (options_.is_total)
       table.rows.push_back(total_row());
   }
 
  private:
-  double net_mass() const { return m_sum.mass_forward - m_sum.mass_backward; }
-  bool has_duration() const { return m_first_time && m_time && *m_time > *m_first_time; }
+  double net_mass() const { return sum_.mass_forward - sum_.mass_backward; }
+  bool has_duration() const { return first_time_ && time_ && *time_ > *first_time_; }
 
   void append_profile(Table& table) const {
     if (!has_duration())
       return;
-    for (const FlowBin& bin : m_profile->bins()) {
-      Row row{{"run", "run", "", m_name}};
-      append_bin(row, bin, *m_time - *m_first_time);
+    for (const FlowBin& bin : profile_->bins()) {
+      Row row{{"run", "run", "", name_}};
+      append_bin(row, bin, *time_ - *first_time_);
       table.rows.push_back(std::move(row));
     }
-    if (m_profile->beyond() > 0)
-      report_warning(m_name + ": " + std::to_string(m_profile->beyond()) +
+    if (profile_->beyond() > 0)
+      report_warning(name_ + ": " + std::to_string(profile_->beyond()) +
                      " particles passed beyond the strips");
   }
 
   Row total_row() const {
-    Row row{{"run", "run", "", m_name}, {"timestep", "last time step", "", m_timestep}};
-    append_counts(row, m_sum);
+    Row row{{"run", "run", "", name_}, {"timestep", "last time step", "", timestep_}};
+    append_counts(row, sum_);
     if (!has_duration())
       return row;
-    row.push_back({"duration_s", "duration", "s", *m_time - *m_first_time});
-    row.push_back({"rate_kg_per_s", "mean rate", "kg/s", net_mass() / (*m_time - *m_first_time)});
+    row.push_back({"duration_s", "duration", "s", *time_ - *first_time_});
+    row.push_back({"rate_kg_per_s", "mean rate", "kg/s", net_mass() / (*time_ - *first_time_)});
     row.push_back({"rate_standard_deviation_kg_per_s", "standard deviation between frames", "kg/s",
-                   spread_of(m_rates).standard_deviation});
-    append_residence(row, m_residence.times());
+                   spread_of(rates_).standard_deviation});
+    append_residence(row, residence_.times());
     row.push_back({"residence_unknown", "left, not seen to enter", "",
-                   static_cast<std::int64_t>(m_residence.unknown())});
+                   static_cast<std::int64_t>(residence_.unknown())});
     return row;
   }
 
   /// Who entered and who left, between two times. @return residence times of those who left
   std::vector<double> follow(const FlowStep& step, const std::optional<FlowStep>& entered,
                              double before, Table& passages) {
-    const double duration = *m_time - before;
-    if (!m_inlet)
+    const double duration = *time_ - before;
+    if (!inlet_)
       for (const std::int64_t id : step.fresh)
-        m_residence.enter(id, *m_time);
+        residence_.enter(id, *time_);
     if (entered)
       for (const Passage& passage : entered->passages)
         if (passage.is_forward)
-          m_residence.enter(passage.id, before + passage.share * duration);
-    if (m_profile)
-      m_profile->add(step.passages, duration);
+          residence_.enter(passage.id, before + passage.share * duration);
+    if (profile_)
+      profile_->add(step.passages, duration);
     std::vector<double> times;
     for (const Passage& passage : step.passages) {
       const double time = before + passage.share * duration;
       std::optional<double> residence;
       if (passage.is_forward)
-        residence = m_residence.leave(passage.id, time);
+        residence = residence_.leave(passage.id, time);
       if (residence)
         times.push_back(*residence);
-      if (!m_options.passages.empty())
+      if (!options_.passages.empty())
         passages.rows.push_back(passage_row(passage, time, duration, residence));
     }
     return times;
@@ -233,7 +233,7 @@ class FlowRun {
   Row passage_row(const Passage& passage, double time, double duration,
                   const std::optional<double>& residence) const {
     const Vector3 velocity = (1.0 / duration) * passage.way;
-    return {{"run", "run", "", m_name},
+    return {{"run", "run", "", name_},
             {"id", "id", "", passage.id},
             {"time_s", "time", "s", time},
             {"direction", "direction", "", std::int64_t(passage.is_forward ? 1 : -1)},
@@ -248,29 +248,29 @@ class FlowRun {
   }
 
   void add(const FlowStep& step) {
-    m_sum.forward += step.forward;
-    m_sum.backward += step.backward;
-    m_sum.mass_forward += step.mass_forward;
-    m_sum.mass_backward += step.mass_backward;
-    m_sum.appeared += step.appeared;
-    m_sum.vanished += step.vanished;
-    if (m_sum.volume_share_mass && step.volume_share_mass)
-      *m_sum.volume_share_mass += *step.volume_share_mass;
+    sum_.forward += step.forward;
+    sum_.backward += step.backward;
+    sum_.mass_forward += step.mass_forward;
+    sum_.mass_backward += step.mass_backward;
+    sum_.appeared += step.appeared;
+    sum_.vanished += step.vanished;
+    if (sum_.volume_share_mass && step.volume_share_mass)
+      *sum_.volume_share_mass += *step.volume_share_mass;
     else
-      m_sum.volume_share_mass.reset();
+      sum_.volume_share_mass.reset();
   }
 
-  const FlowOptions& m_options;
-  std::string m_name;
-  FrameClock m_clock;
-  FlowThrough m_flow;
-  std::optional<FlowThrough> m_inlet;
-  std::optional<FlowProfile> m_profile;
-  ResidenceTimes m_residence;
-  std::optional<double> m_time, m_first_time; ///< of the last and first frame (s)
-  std::int64_t m_timestep = 0;
-  FlowStep m_sum;
-  std::vector<double> m_rates; ///< between frames (mass/s)
+  const FlowOptions& options_;
+  std::string name_;
+  FrameClock clock_;
+  FlowThrough flow_;
+  std::optional<FlowThrough> inlet_;
+  std::optional<FlowProfile> profile_;
+  ResidenceTimes residence_;
+  std::optional<double> time_, first_time_; ///< of the last and first frame (s)
+  std::int64_t timestep_ = 0;
+  FlowStep sum_;
+  std::vector<double> rates_; ///< between frames (mass/s)
 };
 
 int run(const FlowOptions& options) {

@@ -26,22 +26,22 @@ struct MixingCommandOptions {
 /// The numbers that are to be mixed, frame by frame.
 class Tracer {
  public:
-  explicit Tracer(const MixingCommandOptions& options) : m_options(options) {}
+  explicit Tracer(const MixingCommandOptions& options) : options_(options) {}
 
   std::string name() const {
-    if (m_options.type > 0)
-      return "type " + std::to_string(m_options.type);
-    if (m_options.by_size)
+    if (options_.type > 0)
+      return "type " + std::to_string(options_.type);
+    if (options_.by_size)
       return "size";
-    if (m_options.by_aspect)
+    if (options_.by_aspect)
       return "aspect ratio";
-    return m_options.column.empty() ? "region" : m_options.column;
+    return options_.column.empty() ? "region" : options_.column;
   }
 
   std::vector<double> values(const ChosenFrame& chosen) {
-    if (m_options.type > 0)
+    if (options_.type > 0)
       chosen.set.has_types.require_readable();
-    if (!m_options.region.empty() && chosen.run != m_run)
+    if (!options_.region.empty() && chosen.run != run_)
       mark(chosen);
     std::vector<double> result;
     for (const Particle& p : chosen.set.particles)
@@ -51,31 +51,31 @@ class Tracer {
 
  private:
   double value(const ChosenFrame& chosen, const Particle& p) const {
-    if (m_options.type > 0)
-      return p.type == m_options.type ? 1.0 : 0.0;
-    if (m_options.by_size)
+    if (options_.type > 0)
+      return p.type == options_.type ? 1.0 : 0.0;
+    if (options_.by_size)
       return volume_radius(body_volume(chosen.set, p));
-    if (m_options.by_aspect)
+    if (options_.by_aspect)
       return p.largest_axis() / p.smallest_axis();
-    if (!m_options.column.empty())
-      return chosen.frame.required(m_options.column, "what is to be mixed")[p.row];
-    return m_marked.count(p.id) > 0 ? 1.0 : 0.0;
+    if (!options_.column.empty())
+      return chosen.frame.required(options_.column, "what is to be mixed")[p.row];
+    return marked_.count(p.id) > 0 ? 1.0 : 0.0;
   }
 
   /// Particles in the region in the first frame of a run.
   void mark(const ChosenFrame& chosen) {
-    m_run = chosen.run;
-    m_marked.clear();
-    const std::vector<double>& r = m_options.region;
+    run_ = chosen.run;
+    marked_.clear();
+    const std::vector<double>& r = options_.region;
     for (const Particle& p : chosen.set.particles)
       if (p.centre.x >= r[0] && p.centre.x <= r[1] && p.centre.y >= r[2] && p.centre.y <= r[3] &&
           p.centre.z >= r[4] && p.centre.z <= r[5])
-        m_marked.insert(p.id);
+        marked_.insert(p.id);
   }
 
-  const MixingCommandOptions& m_options;
-  std::string m_run;
-  std::set<std::int64_t> m_marked;
+  const MixingCommandOptions& options_;
+  std::string run_;
+  std::set<std::int64_t> marked_;
 };
 
 /// Three diameters of the mean particle: about thirty particles.

@@ -27,8 +27,8 @@ class CairoCanvas : public Canvas {
  private:
   void paint(const Style& style);
 
-  cairo_surface_t* m_surface;
-  cairo_t* m_cairo;
+  cairo_surface_t* surface_;
+  cairo_t* cairo_;
 };
 
 } // namespace ellipsoid::post

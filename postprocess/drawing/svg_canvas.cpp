@@ -38,31 +38,31 @@ std::string attributes(const Style& style) {
 } // namespace
 
 SvgCanvas::SvgCanvas(int width, int height) {
-  m_text = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" "
-                       "xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"{0}\" height=\"{1}\" "
-                       "viewBox=\"0 0 {0} {1}\" font-family=\"DejaVu Sans, Arial, sans-serif\">\n"
-                       "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-                       width, height);
+  text_ = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" "
+                      "xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"{0}\" height=\"{1}\" "
+                      "viewBox=\"0 0 {0} {1}\" font-family=\"DejaVu Sans, Arial, sans-serif\">\n"
+                      "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
+                      width, height);
 }
 
 void SvgCanvas::ellipse(const PixelPoint& centre, double a, double b, double turn_degrees,
                         const Style& style) {
   if (a == b) {
-    m_text += fmt::format("<circle cx=\"{:.3f}\" cy=\"{:.3f}\" r=\"{:.3f}\"{}/>\n", centre.x,
-                          centre.y, a, attributes(style));
+    text_ += fmt::format("<circle cx=\"{:.3f}\" cy=\"{:.3f}\" r=\"{:.3f}\"{}/>\n", centre.x,
+                         centre.y, a, attributes(style));
     return;
   }
-  m_text += fmt::format("<ellipse rx=\"{:.3f}\" ry=\"{:.3f}\" "
-                        "transform=\"translate({:.3f} {:.3f}) rotate({:.3f})\"{}/>\n",
-                        a, b, centre.x, centre.y, turn_degrees, attributes(style));
+  text_ += fmt::format("<ellipse rx=\"{:.3f}\" ry=\"{:.3f}\" "
+                       "transform=\"translate({:.3f} {:.3f}) rotate({:.3f})\"{}/>\n",
+                       a, b, centre.x, centre.y, turn_degrees, attributes(style));
 }
 
 void SvgCanvas::polyline(const std::vector<PixelPoint>& points, bool is_closed,
                          const Style& style) {
-  m_text += is_closed ? "<polygon points=\"" : "<polyline points=\"";
+  text_ += is_closed ? "<polygon points=\"" : "<polyline points=\"";
   for (const PixelPoint& p : points)
-    m_text += fmt::format("{:.3f},{:.3f} ", p.x, p.y);
-  m_text += fmt::format("\"{} stroke-linejoin=\"round\"/>\n", attributes(style));
+    text_ += fmt::format("{:.3f},{:.3f} ", p.x, p.y);
+  text_ += fmt::format("\"{} stroke-linejoin=\"round\"/>\n", attributes(style));
 }
 
 void SvgCanvas::text(const PixelPoint& position, const std::string& words, const TextStyle& style) {
@@ -84,7 +84,7 @@ void SvgCanvas::text(const PixelPoint& position, const std::string& words, const
                                step * style.size, size, html_safe(part.words));
     was_subscript = part.is_subscript;
   }
-  m_text += fmt::format(
+  text_ += fmt::format(
       "<text x=\"{:.3f}\" y=\"{:.3f}\" font-size=\"{:.4g}\" text-anchor=\"{}\" fill=\"{}\"{}{}>{}"
       "</text>\n",
       position.x, position.y, style.size, anchor, hex(style.colour),
@@ -92,21 +92,21 @@ void SvgCanvas::text(const PixelPoint& position, const std::string& words, const
 }
 
 void SvgCanvas::image(const PixelPoint& corner, const PixelImage& pixels) {
-  m_text += fmt::format("<image x=\"{:.3f}\" y=\"{:.3f}\" width=\"{}\" height=\"{}\" "
-                        "xlink:href=\"data:image/png;base64,{}\"/>\n",
-                        corner.x, corner.y, pixels.width, pixels.height, base64(png_bytes(pixels)));
+  text_ += fmt::format("<image x=\"{:.3f}\" y=\"{:.3f}\" width=\"{}\" height=\"{}\" "
+                       "xlink:href=\"data:image/png;base64,{}\"/>\n",
+                       corner.x, corner.y, pixels.width, pixels.height, base64(png_bytes(pixels)));
 }
 
 void SvgCanvas::begin_clip(const PixelPoint& corner, double width, double height) {
-  ++m_clips;
-  m_text += fmt::format("<clipPath id=\"clip{0}\"><rect x=\"{1:.3f}\" y=\"{2:.3f}\" "
-                        "width=\"{3:.3f}\" height=\"{4:.3f}\"/></clipPath>\n"
-                        "<g clip-path=\"url(#clip{0})\">\n",
-                        m_clips, corner.x, corner.y, width, height);
+  ++clips_;
+  text_ += fmt::format("<clipPath id=\"clip{0}\"><rect x=\"{1:.3f}\" y=\"{2:.3f}\" "
+                       "width=\"{3:.3f}\" height=\"{4:.3f}\"/></clipPath>\n"
+                       "<g clip-path=\"url(#clip{0})\">\n",
+                       clips_, corner.x, corner.y, width, height);
 }
 
-void SvgCanvas::end_clip() { m_text += "</g>\n"; }
+void SvgCanvas::end_clip() { text_ += "</g>\n"; }
 
-std::string SvgCanvas::finish() { return m_text + "</svg>\n"; }
+std::string SvgCanvas::finish() { return text_ + "</svg>\n"; }
 
 } // namespace ellipsoid::post

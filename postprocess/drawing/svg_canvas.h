@@ -19,8 +19,8 @@ class SvgCanvas : public Canvas {
   std::string finish() override;
 
  private:
-  std::string m_text;
-  int m_clips = 0;
+  std::string text_;
+  int clips_ = 0;
 };
 
 } // namespace ellipsoid::post

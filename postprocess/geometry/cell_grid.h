@@ -17,12 +17,12 @@ class CellGrid {
  public:
   /// @param[in] centres, radii of the balls (length); the references must outlive the grid
   CellGrid(const std::vector<Vector3>& centres, const std::vector<double>& radii)
-      : m_centres(centres), m_radii(radii) {
-    m_cell_of_ball.reserve(centres.size());
+      : centres_(centres), radii_(radii) {
+    cell_of_ball_.reserve(centres.size());
     double largest = 0.0;
     for (const double radius : radii)
       largest = std::fmax(largest, radius);
-    m_cell_size = largest > 0.0 ? 2.0 * largest : 1.0;
+    cell_size_ = largest > 0.0 ? 2.0 * largest : 1.0;
     std::vector<Cell> cells;
     cells.reserve(centres.size());
     for (const Vector3& centre : centres)
@@ -35,12 +35,12 @@ class CellGrid {
   /// into a row without branches, which no processor could predict.
   template <class Visitor> void for_pairs(const Visitor& visit) {
     constexpr std::size_t own = 4, above_in_z = 5, above_in_x = 6, above_in_x_flat = 7;
-    for (std::size_t n = 0; n < m_placed.size(); ++n) {
-      const Placed& ball = m_placed[n];
-      const std::size_t home = m_cell_of_ball[ball.index];
+    for (std::size_t n = 0; n < placed_.size(); ++n) {
+      const Placed& ball = placed_[n];
+      const std::size_t home = cell_of_ball_[ball.index];
       // half of the neighbours: those behind the ball in its own column, and the columns behind
       std::size_t found = scan(ball, {n + 1, column(home, own).second}, 0);
-      if (m_is_flat) {
+      if (is_flat_) {
         found = scan(ball, column(home, above_in_x_flat), found);
       } else {
         found = scan(ball, column(home, above_in_z), found);
@@ -48,7 +48,7 @@ class CellGrid {
           found = scan(ball, column(home, k), found);
       }
       for (std::size_t k = 0; k < found; ++k)
-        visit(std::min(ball.index, m_found[k]), std::max(ball.index, m_found[k]));
+        visit(std::min(ball.index, found_[k]), std::max(ball.index, found_[k]));
     }
   }
 
@@ -75,10 +75,10 @@ class CellGrid {
 
   /// Column k of the neighbours of a cell: looked up where the cells are numbered.
   Range column(std::size_t home, std::size_t k) const {
-    if (m_starts.empty())
-      return m_columns[home][k];
-    const std::size_t middle = home + (k / 3) * m_step_x + (k % 3) * m_step_z;
-    return {m_starts[middle - m_step_x - m_step_z - 1], m_starts[middle - m_step_x - m_step_z + 2]};
+    if (starts_.empty())
+      return columns_[home][k];
+    const std::size_t middle = home + (k / 3) * step_x_ + (k % 3) * step_z_;
+    return {starts_[middle - step_x_ - step_z_ - 1], starts_[middle - step_x_ - step_z_ + 2]};
   }
 
   /// Puts the balls in order by counting those of each cell of the surrounding box (and of an empty
@@ -95,32 +95,32 @@ class CellGrid {
       return static_cast<std::size_t>(to - from + 3);
     };
     const std::size_t most = 1000 + 20 * cells.size();
-    m_is_flat = lower.z == upper.z;
-    m_step_z = along(lower.y, upper.y);
-    m_step_x = m_step_z * along(lower.z, upper.z); // at most 4e12: no overflow
-    if (m_step_x > most || m_step_x * along(lower.x, upper.x) > most)
+    is_flat_ = lower.z == upper.z;
+    step_z_ = along(lower.y, upper.y);
+    step_x_ = step_z_ * along(lower.z, upper.z); // at most 4e12: no overflow
+    if (step_x_ > most || step_x_ * along(lower.x, upper.x) > most)
       return false;
-    m_starts.assign(m_step_x * along(lower.x, upper.x) + 1, 0);
+    starts_.assign(step_x_ * along(lower.x, upper.x) + 1, 0);
     for (const Cell& c : cells) {
-      m_cell_of_ball.push_back(static_cast<std::size_t>(c.x - lower.x + 1) * m_step_x +
-                               static_cast<std::size_t>(c.z - lower.z + 1) * m_step_z +
-                               static_cast<std::size_t>(c.y - lower.y + 1));
-      ++m_starts[m_cell_of_ball.back()];
+      cell_of_ball_.push_back(static_cast<std::size_t>(c.x - lower.x + 1) * step_x_ +
+                              static_cast<std::size_t>(c.z - lower.z + 1) * step_z_ +
+                              static_cast<std::size_t>(c.y - lower.y + 1));
+      ++starts_[cell_of_ball_.back()];
     }
     std::size_t end = 0;
-    for (std::size_t& start : m_starts)
+    for (std::size_t& start : starts_)
       start = end += start; // of the cell's last ball, plus one
-    m_placed.resize(cells.size());
+    placed_.resize(cells.size());
     for (std::size_t k = cells.size(); k-- > 0;)
-      m_placed[--m_starts[m_cell_of_ball[k]]] = {m_centres[k], m_radii[k], k};
+      placed_[--starts_[cell_of_ball_[k]]] = {centres_[k], radii_[k], k};
     return true;
   }
 
   /// Puts the balls in order by sorting them.
   void sort_cells(const std::vector<Cell>& cells) {
     for (std::size_t k = 0; k < cells.size(); ++k)
-      m_balls.push_back({key(cells[k].x, cells[k].y, cells[k].z), k});
-    std::sort(m_balls.begin(), m_balls.end(), [](const Ball& p, const Ball& q) {
+      balls_.push_back({key(cells[k].x, cells[k].y, cells[k].z), k});
+    std::sort(balls_.begin(), balls_.end(), [](const Ball& p, const Ball& q) {
       return p.cell_key < q.cell_key || (p.cell_key == q.cell_key && p.index < q.index);
     });
     find_neighbour_columns();
@@ -137,15 +137,15 @@ class CellGrid {
   /// @return number of those found
   std::size_t scan(const Placed& ball, const Range& range, std::size_t found) {
     const auto [begin, end] = range;
-    if (m_found.size() < found + (end - begin) + 1)
-      m_found.resize(2 * (found + (end - begin) + 1));
+    if (found_.size() < found + (end - begin) + 1)
+      found_.resize(2 * (found + (end - begin) + 1));
     const Vector3 centre = ball.centre;
     const double radius = ball.radius;
     for (std::size_t k = begin; k < end; ++k) {
-      const Placed& other = m_placed[k];
+      const Placed& other = placed_[k];
       const Vector3 d = other.centre - centre;
       const double reach = radius + other.radius;
-      m_found[found] = other.index;
+      found_[found] = other.index;
       found += static_cast<std::size_t>(dot(d, d) <= reach * reach);
     }
     return found;
@@ -154,29 +154,29 @@ class CellGrid {
   /// Fills for each cell where the balls of its columns are. Keys only grow from cell to cell, so
   /// each column's range does.
   void find_neighbour_columns() {
-    m_cell_of_ball.resize(m_balls.size());
-    m_placed.reserve(m_balls.size());
+    cell_of_ball_.resize(balls_.size());
+    placed_.reserve(balls_.size());
     Columns columns{};
     std::uint64_t last_key = 0;
-    for (const Ball& ball : m_balls) {
-      if (m_columns.empty() || ball.cell_key != last_key) {
+    for (const Ball& ball : balls_) {
+      if (columns_.empty() || ball.cell_key != last_key) {
         for (std::size_t k = 0; k < column_count; ++k)
           advance(columns[k], ball.cell_key + column_shift(k));
-        m_columns.push_back(columns);
+        columns_.push_back(columns);
         last_key = ball.cell_key;
       }
-      m_cell_of_ball[ball.index] = m_columns.size() - 1;
-      m_placed.push_back({m_centres[ball.index], m_radii[ball.index], ball.index});
+      cell_of_ball_[ball.index] = columns_.size() - 1;
+      placed_.push_back({centres_[ball.index], radii_[ball.index], ball.index});
     }
   }
 
   /// To the balls of the cell with this key and of its two neighbours along y.
   void advance(Range& range, std::uint64_t middle) const {
     auto& [begin, end] = range;
-    while (begin < m_balls.size() && m_balls[begin].cell_key < middle - 1)
+    while (begin < balls_.size() && balls_[begin].cell_key < middle - 1)
       ++begin;
     end = std::max(begin, end);
-    while (end < m_balls.size() && m_balls[end].cell_key <= middle + 1)
+    while (end < balls_.size() && balls_[end].cell_key <= middle + 1)
       ++end;
   }
 
@@ -186,7 +186,7 @@ class CellGrid {
   std::int64_t cell(double x) const {
     constexpr double farthest = 1.0e6; // cells; 21 bits per axis
     return static_cast<std::int64_t>(
-        std::fmax(-farthest, std::fmin(farthest, std::floor(x / m_cell_size))));
+        std::fmax(-farthest, std::fmin(farthest, std::floor(x / cell_size_))));
   }
   static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
     constexpr std::int64_t shift = std::int64_t{1} << 20;
@@ -194,19 +194,19 @@ class CellGrid {
            (static_cast<std::uint64_t>(z + shift) << z_bit) | static_cast<std::uint64_t>(y + shift);
   }
 
-  const std::vector<Vector3>& m_centres;
-  const std::vector<double>& m_radii;
-  double m_cell_size = 1.0;
-  std::vector<Placed> m_placed;            ///< balls, cell by cell
-  std::vector<std::size_t> m_cell_of_ball; ///< number of its cell, or index into m_columns
+  const std::vector<Vector3>& centres_;
+  const std::vector<double>& radii_;
+  double cell_size_ = 1.0;
+  std::vector<Placed> placed_;            ///< balls, cell by cell
+  std::vector<std::size_t> cell_of_ball_; ///< number of its cell, or index into columns_
   // numbered cells
-  bool m_is_flat = false;                 ///< one cell along z
-  std::size_t m_step_x = 0, m_step_z = 0; ///< from a cell to the next one along x, z
-  std::vector<std::size_t> m_starts;      ///< of each cell in m_placed
+  bool is_flat_ = false;                ///< one cell along z
+  std::size_t step_x_ = 0, step_z_ = 0; ///< from a cell to the next one along x, z
+  std::vector<std::size_t> starts_;     ///< of each cell in placed_
   // sorted cells
-  std::vector<Ball> m_balls;
-  std::vector<Columns> m_columns;   ///< of the cells that are not empty
-  std::vector<std::size_t> m_found; ///< neighbours of a ball
+  std::vector<Ball> balls_;
+  std::vector<Columns> columns_;   ///< of the cells that are not empty
+  std::vector<std::size_t> found_; ///< neighbours of a ball
 };
 
 } // namespace ellipsoid::post

@@ -30,28 +30,28 @@ class BallsWithImages {
  public:
   BallsWithImages(const std::vector<Vector3>& centres, const std::vector<double>& radii,
                   const PeriodicCell& cell)
-      : m_count(centres.size()), m_images(cell_images(centres, radii, cell)) {
-    for (const CellImage& image : m_images) {
-      m_centres.push_back(centres[image.owner] + image.shift);
-      m_radii.push_back(radii[image.owner]);
+      : count_(centres.size()), images_(cell_images(centres, radii, cell)) {
+    for (const CellImage& image : images_) {
+      centres_.push_back(centres[image.owner] + image.shift);
+      radii_.push_back(radii[image.owner]);
     }
   }
 
   /// Calls visit(i, j, shift) once for every pair of balls that overlap, images included: the
   /// centre of j, moved by the shift, is the one near that of i. i = j: a ball and its own image.
   template <class Visitor> void for_pairs(const Visitor& visit) {
-    CellGrid grid(m_centres, m_radii);
+    CellGrid grid(centres_, radii_);
     grid.for_pairs([&](std::size_t p, std::size_t q) {
-      if (counts_as_pair(m_images, p, q, m_count))
-        visit(m_images[p].owner, m_images[q].owner, m_images[q].shift - m_images[p].shift);
+      if (counts_as_pair(images_, p, q, count_))
+        visit(images_[p].owner, images_[q].owner, images_[q].shift - images_[p].shift);
     });
   }
 
  private:
-  std::size_t m_count;
-  std::vector<CellImage> m_images;
-  std::vector<Vector3> m_centres;
-  std::vector<double> m_radii;
+  std::size_t count_;
+  std::vector<CellImage> images_;
+  std::vector<Vector3> centres_;
+  std::vector<double> radii_;
 };
 
 } // namespace ellipsoid::post

@@ -165,17 +165,17 @@ std::vector<MeshPoint> mesh_points(const std::vector<Triangle3>& triangles, int 
   return points;
 }
 
-TriangleTree::TriangleTree(std::vector<Triangle3> triangles) : m_triangles(std::move(triangles)) {
-  build(0, m_triangles.size());
+TriangleTree::TriangleTree(std::vector<Triangle3> triangles) : triangles_(std::move(triangles)) {
+  build(0, triangles_.size());
 }
 
 void TriangleTree::build(std::size_t begin, std::size_t end) {
   Node node{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}, begin, end, 0};
   for (std::size_t k = begin; k < end; ++k)
-    for (const Vector3& p : m_triangles[k])
+    for (const Vector3& p : triangles_[k])
       widen(node.lower, node.upper, p);
-  const std::size_t index = m_nodes.size();
-  m_nodes.push_back(node);
+  const std::size_t index = nodes_.size();
+  nodes_.push_back(node);
   if (end - begin <= leaf_size)
     return;
   const Vector3 size = node.upper - node.lower;
@@ -183,23 +183,23 @@ void TriangleTree::build(std::size_t begin, std::size_t end) {
     const Vector3 sum = t[0] + t[1] + t[2];
     return size.x >= size.y && size.x >= size.z ? sum.x : size.y >= size.z ? sum.y : sum.z;
   };
-  const auto from = m_triangles.begin() + static_cast<std::ptrdiff_t>(begin);
+  const auto from = triangles_.begin() + static_cast<std::ptrdiff_t>(begin);
   const std::size_t half = (end - begin) / 2;
   std::nth_element(
       from, from + static_cast<std::ptrdiff_t>(half),
-      m_triangles.begin() + static_cast<std::ptrdiff_t>(end),
+      triangles_.begin() + static_cast<std::ptrdiff_t>(end),
       [&](const Triangle3& s, const Triangle3& t) { return middle_of(s) < middle_of(t); });
   build(begin, begin + half);
-  m_nodes[index].right = m_nodes.size();
+  nodes_[index].right = nodes_.size();
   build(begin + half, end);
 }
 
 void TriangleTree::search(std::size_t index, const Vector3& point, double& square,
                           Vector3& nearest) const {
-  const Node& node = m_nodes[index];
+  const Node& node = nodes_[index];
   if (node.right == 0) {
     for (std::size_t k = node.begin; k < node.end; ++k) {
-      const Vector3 q = nearest_on_triangle(point, m_triangles[k]);
+      const Vector3 q = nearest_on_triangle(point, triangles_[k]);
       const double found = dot(q - point, q - point);
       if (found < square) {
         square = found;
@@ -208,7 +208,7 @@ void TriangleTree::search(std::size_t index, const Vector3& point, double& squar
     }
     return;
   }
-  const Node &left = m_nodes[index + 1], &right = m_nodes[node.right];
+  const Node &left = nodes_[index + 1], &right = nodes_[node.right];
   const double to_left = squared_distance(point, left.lower, left.upper),
                to_right = squared_distance(point, right.lower, right.upper);
   const bool left_first = to_left <= to_right;

@@ -53,8 +53,8 @@ class TriangleTree {
   void build(std::size_t begin, std::size_t end);
   void search(std::size_t node, const Vector3& point, double& square, Vector3& nearest) const;
 
-  std::vector<Triangle3> m_triangles;
-  std::vector<Node> m_nodes;
+  std::vector<Triangle3> triangles_;
+  std::vector<Node> nodes_;
 };
 
 } // namespace ellipsoid::post

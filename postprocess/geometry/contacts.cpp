@@ -115,21 +115,21 @@ class PairFinder {
  public:
   PairFinder(const ParticleSet& set, const SearchBodies& bodies, double gap,
              ContactNetwork& network)
-      : m_set(set), m_bodies(bodies), m_gap(gap), m_network(network) {}
+      : set_(set), bodies_(bodies), gap_(gap), network_(network) {}
 
   /// @param[in] shift of the second particle
   void find(const NearPairs::Pair& pair, const Vector3& shift) {
-    if (m_bodies.are_smooth(pair)) {
-      m_tested[static_cast<std::size_t>(m_tests.size())] = pair;
-      m_bodies.add_to(m_tests, pair, shift);
-      if (m_tests.full())
+    if (bodies_.are_smooth(pair)) {
+      tested_[static_cast<std::size_t>(tests_.size())] = pair;
+      bodies_.add_to(tests_, pair, shift);
+      if (tests_.full())
         test_waiting();
       return;
     }
     search_waiting();
     const auto [i, j] = pair;
-    const Particle &p = m_set.particles[i], &q = m_set.particles[j];
-    const std::size_t first = m_network.contacts.size();
+    const Particle &p = set_.particles[i], &q = set_.particles[j];
+    const std::size_t first = network_.contacts.size();
     if (p.is_smooth())
       ellipsoid_and_spheres(i, {}, q, shift, 1.0);
     else if (q.is_smooth())
@@ -147,74 +147,74 @@ class PairFinder {
 
  private:
   void add_pair(std::size_t i, std::size_t j, std::size_t first) {
-    const std::size_t count = m_network.contacts.size() - first;
+    const std::size_t count = network_.contacts.size() - first;
     if (count > 0)
-      m_network.pairs.push_back({i, j, first, count, largest_overlap(first)});
+      network_.pairs.push_back({i, j, first, count, largest_overlap(first)});
   }
 
   double largest_overlap(std::size_t first) const {
-    double largest = m_network.contacts[first].overlap;
-    for (std::size_t k = first + 1; k < m_network.contacts.size(); ++k)
-      largest = std::max(largest, m_network.contacts[k].overlap);
+    double largest = network_.contacts[first].overlap;
+    for (std::size_t k = first + 1; k < network_.contacts.size(); ++k)
+      largest = std::max(largest, network_.contacts[k].overlap);
     return largest;
   }
 
   /// Takes the pairs that are not apart to the search.
   void test_waiting() {
-    m_tests.solve();
-    for (int k = 0; k < m_tests.size(); ++k) {
-      if (m_tests.are_apart(k))
+    tests_.solve();
+    for (int k = 0; k < tests_.size(); ++k) {
+      if (tests_.are_apart(k))
         continue;
-      const auto [i, j] = m_tested[static_cast<std::size_t>(k)];
-      m_waiting[static_cast<std::size_t>(m_batch.size())] = {{i, j}, m_tests.distance(k)};
-      m_batch.add(m_bodies.smooth[i], m_bodies.smooth[j], m_tests.distance(k), m_tests.normal(k));
-      if (m_batch.full())
+      const auto [i, j] = tested_[static_cast<std::size_t>(k)];
+      waiting_[static_cast<std::size_t>(batch_.size())] = {{i, j}, tests_.distance(k)};
+      batch_.add(bodies_.smooth[i], bodies_.smooth[j], tests_.distance(k), tests_.normal(k));
+      if (batch_.full())
         search_touching();
     }
-    m_tests.clear();
+    tests_.clear();
   }
 
   void search_touching() {
-    m_batch.solve();
-    for (int k = 0; k < m_batch.size(); ++k) {
-      const auto& [pair, distance] = m_waiting[static_cast<std::size_t>(k)];
+    batch_.solve();
+    for (int k = 0; k < batch_.size(); ++k) {
+      const auto& [pair, distance] = waiting_[static_cast<std::size_t>(k)];
       const auto [i, j] = pair;
-      const std::size_t first = m_network.contacts.size();
-      const ContactGeometry found = m_batch.geometry(k);
-      const EllipsoidShape &shape_i = m_bodies.smooth[i], &shape_j = m_bodies.smooth[j];
+      const std::size_t first = network_.contacts.size();
+      const ContactGeometry found = batch_.geometry(k);
+      const EllipsoidShape &shape_i = bodies_.smooth[i], &shape_j = bodies_.smooth[j];
       if (is_settled(found, shape_i, shape_j))
-        add_contact(found, m_bodies.centres[i], 1.0);
+        add_contact(found, bodies_.centres[i], 1.0);
       else
-        add_contact(find_contact(shape_i, shape_j, distance), m_bodies.centres[i], 1.0);
+        add_contact(find_contact(shape_i, shape_j, distance), bodies_.centres[i], 1.0);
       add_pair(i, j, first);
     }
-    m_batch.clear();
+    batch_.clear();
   }
 
   void add_contact(const ContactGeometry& found, const Vector3& centre_i, double sign) {
     if (!has_converged(found.status))
-      ++m_network.not_converged;
+      ++network_.not_converged;
     if (found.status == ContactStatus::separated || found.overlap < 0.0)
       return;
     // number by number: a contact that is copied right after its numbers were stored one by one
     // keeps the processor waiting
-    Contact& contact = m_network.contacts.emplace_back();
+    Contact& contact = network_.contacts.emplace_back();
     contact.point = centre_i + found.point;
     contact.normal = sign * found.normal;
-    contact.overlap = found.overlap - m_gap;
+    contact.overlap = found.overlap - gap_;
   }
 
   /// @param[in] shift_smooth, shift_chain of the images
   /// @param[in] sign 1 when the ellipsoid is the pair's first particle, else -1
   void ellipsoid_and_spheres(std::size_t smooth, const Vector3& shift_smooth, const Particle& chain,
                              const Vector3& shift_chain, double sign) {
-    const Vector3 centre = m_bodies.centres[smooth] + shift_smooth;
+    const Vector3 centre = bodies_.centres[smooth] + shift_smooth;
     for (std::size_t k = chain.first_sphere; k < chain.first_sphere + chain.sphere_count; ++k) {
-      const Sphere& s = m_set.spheres[k];
+      const Sphere& s = set_.spheres[k];
       const Vector3 distance = s.centre + shift_chain - centre;
-      const EllipsoidShape ball = enlarged_ball(s, m_gap);
-      if (!quick_test(m_bodies.smooth[smooth].a_matrix, ball.a_matrix, distance, 0.5).are_apart)
-        add_contact(find_contact(m_bodies.smooth[smooth], ball, distance), centre, sign);
+      const EllipsoidShape ball = enlarged_ball(s, gap_);
+      if (!quick_test(bodies_.smooth[smooth].a_matrix, ball.a_matrix, distance, 0.5).are_apart)
+        add_contact(find_contact(bodies_.smooth[smooth], ball, distance), centre, sign);
     }
   }
 
@@ -222,31 +222,31 @@ class PairFinder {
   void spheres(const Particle& p, const Particle& q, const Vector3& shift) {
     for (std::size_t k = p.first_sphere; k < p.first_sphere + p.sphere_count; ++k)
       for (std::size_t l = q.first_sphere; l < q.first_sphere + q.sphere_count; ++l)
-        sphere_pair(m_set.spheres[k], moved(m_set.spheres[l], shift));
+        sphere_pair(set_.spheres[k], moved(set_.spheres[l], shift));
   }
 
   void sphere_pair(const Sphere& s, const Sphere& t) {
-    if (!spheres_touch(s, t, m_gap))
+    if (!spheres_touch(s, t, gap_))
       return;
     const Vector3 d = t.centre - s.centre;
     const double distance = norm(d);
     const Vector3 normal = distance > 0.0 ? (1.0 / distance) * d : Vector3{1.0, 0.0, 0.0};
     const double overlap = s.radius + t.radius - distance;
-    m_network.contacts.push_back({s.centre + (s.radius - 0.5 * overlap) * normal, normal, overlap});
+    network_.contacts.push_back({s.centre + (s.radius - 0.5 * overlap) * normal, normal, overlap});
   }
 
-  const ParticleSet& m_set;
-  const SearchBodies& m_bodies;
-  double m_gap;
-  ContactNetwork& m_network;
-  QuickTestBatch m_tests;
-  std::array<NearPairs::Pair, QuickTestBatch::capacity> m_tested;
-  ContactBatch m_batch;
+  const ParticleSet& set_;
+  const SearchBodies& bodies_;
+  double gap_;
+  ContactNetwork& network_;
+  QuickTestBatch tests_;
+  std::array<NearPairs::Pair, QuickTestBatch::capacity> tested_;
+  ContactBatch batch_;
   struct Waiting {
     NearPairs::Pair pair;
     Vector3 distance; ///< of the centres
   };
-  std::array<Waiting, ContactBatch::capacity> m_waiting;
+  std::array<Waiting, ContactBatch::capacity> waiting_;
 };
 
 } // namespace
@@ -277,71 +277,70 @@ namespace {
 class ClusterFinder {
  public:
   ClusterFinder(const ParticleSet& set, double gap)
-      : m_set(set), m_bodies(search_bodies(set, gap)), m_gap(gap),
-        m_clusters(set.particles.size()) {}
+      : set_(set), bodies_(search_bodies(set, gap)), gap_(gap), clusters_(set.particles.size()) {}
 
   /// @param[in] shift of the second particle
   void find(const NearPairs::Pair& pair, const Vector3& shift) {
     if (are_joined(pair))
       return;
-    if (!m_bodies.are_smooth(pair)) {
+    if (!bodies_.are_smooth(pair)) {
       search(pair, shift);
       return;
     }
-    if (m_bodies.surely_touch(pair, shift)) {
+    if (bodies_.surely_touch(pair, shift)) {
       join(pair);
       return;
     }
-    m_waiting[static_cast<std::size_t>(m_tests.size())] = {pair, shift};
-    m_bodies.add_to(m_tests, pair, shift);
-    if (m_tests.full())
+    waiting_[static_cast<std::size_t>(tests_.size())] = {pair, shift};
+    bodies_.add_to(tests_, pair, shift);
+    if (tests_.full())
       test_waiting();
   }
 
   /// A pair that touches.
-  void join(const NearPairs::Pair& pair) { m_clusters.join(pair.first, pair.second); }
+  void join(const NearPairs::Pair& pair) { clusters_.join(pair.first, pair.second); }
 
   /// To be called after the last pair. Clusters by the smallest index in them.
   std::vector<std::size_t> clusters() {
     test_waiting();
-    std::vector<std::size_t> roots(m_set.particles.size());
+    std::vector<std::size_t> roots(set_.particles.size());
     for (std::size_t i = 0; i < roots.size(); ++i)
-      roots[i] = m_clusters.root(i);
+      roots[i] = clusters_.root(i);
     return roots;
   }
 
  private:
   bool are_joined(const NearPairs::Pair& pair) {
-    return m_clusters.are_joined(pair.first, pair.second);
+    return clusters_.are_joined(pair.first, pair.second);
   }
   void search(const NearPairs::Pair& pair, const Vector3& shift) {
-    if (particles_touch(m_set, m_bodies, m_gap, pair, shift))
+    if (particles_touch(set_, bodies_, gap_, pair, shift))
       join(pair);
   }
   void test_waiting() {
-    m_tests.solve();
-    for (int k = 0; k < m_tests.size(); ++k) {
-      const auto& [pair, shift] = m_waiting[static_cast<std::size_t>(k)];
-      if (m_tests.are_apart(k))
+    tests_.solve();
+    for (int k = 0; k < tests_.size(); ++k) {
+      const auto& [pair, shift] = waiting_[static_cast<std::size_t>(k)];
+      if (tests_.are_apart(k))
         continue;
-      if (m_tests.touch(k))
+      if (tests_.touch(k))
         join(pair);
       else if (!are_joined(pair))
         search(pair, shift);
     }
-    m_tests.clear();
+    tests_.clear();
   }
 
-  const ParticleSet& m_set;
-  SearchBodies m_bodies;
-  double m_gap;
-  DisjointSets m_clusters;
-  QuickTestBatch m_tests;
+  const ParticleSet& set_;
+  SearchBodies bodies_;
+  double gap_;
+  DisjointSets clusters_;
+  QuickTestBatch tests_;
   struct Waiting {
     NearPairs::Pair pair;
     Vector3 shift;
   };
-  std::array<Waiting, QuickTestBatch::capacity> m_waiting;
+  std::array<Waiting, QuickTestBatch::capacity> waiting_;
 };
 
 } // namespace

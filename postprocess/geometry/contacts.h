@@ -42,19 +42,19 @@ class NearPairs {
   /// Those whose bounding balls, enlarged by gap / 2 each, overlap, in ascending order; with all
   /// images in a box that repeats.
   NearPairs(const ParticleSet& set, double gap);
-  double gap() const { return m_gap; }
-  const std::vector<Pair>& pairs() const { return m_pairs; }
+  double gap() const { return gap_; }
+  const std::vector<Pair>& pairs() const { return pairs_; }
   /// From the second particle of a pair to its image that is near the first one (length).
-  Vector3 shift(std::size_t pair) const { return m_shifts.empty() ? Vector3{} : m_shifts[pair]; }
-  bool reaches_itself() const { return m_reaches_itself; }
+  Vector3 shift(std::size_t pair) const { return shifts_.empty() ? Vector3{} : shifts_[pair]; }
+  bool reaches_itself() const { return reaches_itself_; }
 
  private:
   void find_in_cell(const ParticleSet& set, const std::vector<double>& radii);
 
-  double m_gap = 0.0; ///< (length)
-  std::vector<Pair> m_pairs;
-  std::vector<Vector3> m_shifts; ///< by pair; empty: none is shifted
-  bool m_reaches_itself = false;
+  double gap_ = 0.0; ///< (length)
+  std::vector<Pair> pairs_;
+  std::vector<Vector3> shifts_; ///< by pair; empty: none is shifted
+  bool reaches_itself_ = false;
 };
 
 /// All contacts between particles. Two bodies touch when the kernel's overlap is h >= 0; with a

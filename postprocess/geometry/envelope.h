@@ -21,14 +21,14 @@ class UpperEnvelope {
   /// Area between floor and envelope from x0 to x1, closed form arc by arc (length^2).
   double area(double x0, double x1) const;
   /// Largest ordinate, and its abscissa (length).
-  Point summit() const { return m_summit; }
+  Point summit() const { return summit_; }
   /// Particles that own a part of the surface, ascending.
   std::vector<std::size_t> owners() const;
 
  private:
   struct Piece {
     double begin = 0.0, end = 0.0; ///< abscissas
-    std::size_t arc = 0;           ///< index into m_arcs, or no_arc
+    std::size_t arc = 0;           ///< index into arcs_, or no_arc
   };
   static constexpr std::size_t no_arc = static_cast<std::size_t>(-1);
 
@@ -39,10 +39,10 @@ class UpperEnvelope {
   std::vector<double> breakpoints() const;
   void build();
 
-  std::vector<PlaneEllipse> m_arcs;
-  std::vector<Piece> m_pieces;
-  double m_floor = 0.0;
-  Point m_summit{0.0, 0.0};
+  std::vector<PlaneEllipse> arcs_;
+  std::vector<Piece> pieces_;
+  double floor_ = 0.0;
+  Point summit_{0.0, 0.0};
 };
 
 } // namespace ellipsoid::post

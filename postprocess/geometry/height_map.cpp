@@ -73,34 +73,34 @@ bool top_of_sphere(const Sphere& sphere, double x, double y, double& z) {
 
 HeightMap::HeightMap(const ParticleSet& set, const std::vector<std::size_t>& members, double width,
                      double floor)
-    : m_width(width), m_floor(floor) {
+    : width_(width), floor_(floor) {
   if (members.empty())
     return;
   double right = -1e300, back = -1e300;
-  m_left = m_front = 1e300;
+  left_ = front_ = 1e300;
   for (const std::size_t i : members) {
     const Particle& p = set.particles[i];
     const double reach = p.largest_axis();
-    m_left = std::min(m_left, p.centre.x - reach);
+    left_ = std::min(left_, p.centre.x - reach);
     right = std::max(right, p.centre.x + reach);
-    m_front = std::min(m_front, p.centre.y - reach);
+    front_ = std::min(front_, p.centre.y - reach);
     back = std::max(back, p.centre.y + reach);
   }
   constexpr double rounding = 1.0e-15;
-  for (const double edge : {m_left, right, m_front, back})
+  for (const double edge : {left_, right, front_, back})
     if (!(std::abs(edge) * rounding < width))
       throw InputError(
           fmt::format("a particle lies at {:.3g}, so far away that its own size ({:.3g}) "
                       "is lost in rounding: leave it out",
                       edge, mean_smallest_axis(set, members)));
-  const double nx = std::ceil((right - m_left) / width), ny = std::ceil((back - m_front) / width);
+  const double nx = std::ceil((right - left_) / width), ny = std::ceil((back - front_) / width);
   if (!(nx * ny <= most_columns))
     throw InputError(fmt::format("the free surface would need {:.0f} columns (at most {:.0f}): "
                                  "choose a larger --columns",
                                  nx * ny, most_columns));
-  m_columns_x = static_cast<std::size_t>(nx);
-  m_columns_y = static_cast<std::size_t>(ny);
-  m_heights.assign(m_columns_x * m_columns_y, floor);
+  columns_x_ = static_cast<std::size_t>(nx);
+  columns_y_ = static_cast<std::size_t>(ny);
+  heights_.assign(columns_x_ * columns_y_, floor);
   for (const std::size_t i : members) {
     const Particle& p = set.particles[i];
     if (p.is_smooth())
@@ -115,30 +115,29 @@ HeightMap::HeightMap(const ParticleSet& set, const std::vector<std::size_t>& mem
 /// Lifts the columns within `reach` of a body to its top.
 template <class Top> void HeightMap::raise(const Vector3& centre, double reach, const Top& top) {
   const auto column = [this](double distance, std::size_t count) {
-    const double k =
-        std::clamp(std::floor(distance / m_width), 0.0, static_cast<double>(count - 1));
+    const double k = std::clamp(std::floor(distance / width_), 0.0, static_cast<double>(count - 1));
     return static_cast<std::size_t>(k);
   };
-  const std::size_t i0 = column(centre.x - reach - m_left, m_columns_x);
-  const std::size_t i1 = column(centre.x + reach - m_left, m_columns_x);
-  const std::size_t j0 = column(centre.y - reach - m_front, m_columns_y);
-  const std::size_t j1 = column(centre.y + reach - m_front, m_columns_y);
+  const std::size_t i0 = column(centre.x - reach - left_, columns_x_);
+  const std::size_t i1 = column(centre.x + reach - left_, columns_x_);
+  const std::size_t j0 = column(centre.y - reach - front_, columns_y_);
+  const std::size_t j1 = column(centre.y + reach - front_, columns_y_);
   double z = 0.0;
   for (std::size_t j = j0; j <= j1; ++j)
     for (std::size_t i = i0; i <= i1; ++i)
       if (top(x(i), y(j), z))
-        m_heights[j * m_columns_x + i] = std::max(m_heights[j * m_columns_x + i], z);
+        heights_[j * columns_x_ + i] = std::max(heights_[j * columns_x_ + i], z);
 }
 
 double HeightMap::summit() const {
-  return m_heights.empty() ? m_floor : *std::max_element(m_heights.begin(), m_heights.end());
+  return heights_.empty() ? floor_ : *std::max_element(heights_.begin(), heights_.end());
 }
 
 double HeightMap::volume() const {
   double sum = 0.0;
-  for (const double height : m_heights)
-    sum += height - m_floor;
-  return sum * m_width * m_width;
+  for (const double height : heights_)
+    sum += height - floor_;
+  return sum * width_ * width_;
 }
 
 } // namespace ellipsoid::post

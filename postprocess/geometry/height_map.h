@@ -26,13 +26,13 @@ class HeightMap {
   HeightMap(const ParticleSet& set, const std::vector<std::size_t>& members, double width,
             double floor);
 
-  std::size_t columns_x() const { return m_columns_x; }
-  std::size_t columns_y() const { return m_columns_y; }
-  double x(std::size_t i) const { return m_left + (static_cast<double>(i) + 0.5) * m_width; }
-  double y(std::size_t j) const { return m_front + (static_cast<double>(j) + 0.5) * m_width; }
-  double height(std::size_t i, std::size_t j) const { return m_heights[j * m_columns_x + i]; }
-  double floor() const { return m_floor; }
-  double width() const { return m_width; } ///< of a column (length)
+  std::size_t columns_x() const { return columns_x_; }
+  std::size_t columns_y() const { return columns_y_; }
+  double x(std::size_t i) const { return left_ + (static_cast<double>(i) + 0.5) * width_; }
+  double y(std::size_t j) const { return front_ + (static_cast<double>(j) + 0.5) * width_; }
+  double height(std::size_t i, std::size_t j) const { return heights_[j * columns_x_ + i]; }
+  double floor() const { return floor_; }
+  double width() const { return width_; } ///< of a column (length)
   double summit() const;
   /// Volume between floor and surface, column by column (length^3).
   double volume() const;
@@ -40,9 +40,9 @@ class HeightMap {
  private:
   template <class Top> void raise(const Vector3& centre, double reach, const Top& top);
 
-  double m_left = 0.0, m_front = 0.0, m_width = 1.0, m_floor = 0.0;
-  std::size_t m_columns_x = 0, m_columns_y = 0;
-  std::vector<double> m_heights;
+  double left_ = 0.0, front_ = 0.0, width_ = 1.0, floor_ = 0.0;
+  std::size_t columns_x_ = 0, columns_y_ = 0;
+  std::vector<double> heights_;
 };
 
 } // namespace ellipsoid::post

@@ -207,7 +207,7 @@ inline void measure_loop(Columns& columns, int size) {
 } // namespace
 
 void LensBatch::solve() {
-  WidestVersion<measure_loop>::run(m_columns, filled_up(m_columns.in, size()));
+  WidestVersion<measure_loop>::run(columns_, filled_up(columns_.in, size()));
 }
 
 } // namespace ellipsoid::post

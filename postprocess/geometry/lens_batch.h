@@ -54,18 +54,18 @@ class LensBatch : public Batch {
 
  private:
   ArcEnd arc_end(int k, int column) const {
-    return {m_columns.out[column][k], m_columns.out[column + 1][k], m_columns.out[column + 2][k]};
+    return {columns_.out[column][k], columns_.out[column + 1][k], columns_.out[column + 2][k]};
   }
   ArcInterval interval(int k, int begin) const {
     return {arc_end(k, begin), arc_end(k, begin + 3)};
   }
 
-  Columns m_columns;
+  Columns columns_;
 };
 
 inline void LensBatch::add(const PlaneEllipse& i, const PlaneEllipse& j) {
   const int k = next();
-  const auto put = [this, k](int column, double value) { m_columns.in[column][k] = value; };
+  const auto put = [this, k](int column, double value) { columns_.in[column][k] = value; };
   put(Columns::dx, i.centre.x() - j.centre.x());
   put(Columns::dy, i.centre.y() - j.centre.y());
   put(Columns::ux_i, i.ux);
@@ -77,9 +77,9 @@ inline void LensBatch::add(const PlaneEllipse& i, const PlaneEllipse& j) {
 }
 
 inline LensBatch::Verdict LensBatch::verdict(int k) const {
-  if (m_columns.out[Columns::is_apart][k] != 0.0)
+  if (columns_.out[Columns::is_apart][k] != 0.0)
     return Verdict::apart;
-  return m_columns.out[Columns::is_lens][k] != 0.0 ? Verdict::lens : Verdict::unknown;
+  return columns_.out[Columns::is_lens][k] != 0.0 ? Verdict::lens : Verdict::unknown;
 }
 
 } // namespace ellipsoid::post

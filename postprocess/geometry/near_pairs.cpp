@@ -78,7 +78,7 @@ CellBalls balls_around(const PeriodicCell& cell, const std::vector<Vector3>& cen
 
 } // namespace
 
-NearPairs::NearPairs(const ParticleSet& set, double gap) : m_gap(gap) {
+NearPairs::NearPairs(const ParticleSet& set, double gap) : gap_(gap) {
   std::vector<double> radii;
   radii.reserve(set.particles.size());
   for (const Particle& p : set.particles)
@@ -96,7 +96,7 @@ NearPairs::NearPairs(const ParticleSet& set, double gap) : m_gap(gap) {
   found.reserve(8 * set.particles.size());
   grid.for_pairs([&](std::size_t i, std::size_t j) { found.emplace_back(i, j); });
   const std::size_t count = set.particles.size();
-  m_pairs = ordered(ordered(found, &Pair::second, count), &Pair::first, count);
+  pairs_ = ordered(ordered(found, &Pair::second, count), &Pair::first, count);
 }
 
 void NearPairs::find_in_cell(const ParticleSet& set, const std::vector<double>& radii) {
@@ -113,12 +113,12 @@ void NearPairs::find_in_cell(const ParticleSet& set, const std::vector<double>& 
     const Vector3 shift = balls.shifts[j] - (i < count ? balls.shifts[i] : Vector3{});
     if (i < count && i < owner)
       found.push_back({i, owner, shift});
-    m_reaches_itself = m_reaches_itself || (i < count && i == owner);
+    reaches_itself_ = reaches_itself_ || (i < count && i == owner);
   });
   for (const ImagePair& pair :
        ordered(ordered(found, &ImagePair::second, count), &ImagePair::first, count)) {
-    m_pairs.emplace_back(pair.first, pair.second);
-    m_shifts.push_back(pair.shift);
+    pairs_.emplace_back(pair.first, pair.second);
+    shifts_.push_back(pair.shift);
   }
 }
 

@@ -29,27 +29,27 @@ struct Found {
 class Finder {
  public:
   Finder(const std::vector<Vector3>& points, const PeriodicCell& cell, std::size_t count)
-      : m_cloud{wrapped(points, cell)}, m_tree(3, m_cloud), m_count(count), m_indices(count + 1),
-        m_squares(count + 1) {
-    m_lower = m_upper = m_cloud.points.front();
-    for (const Vector3& p : m_cloud.points) {
-      m_lower = {std::min(m_lower.x, p.x), std::min(m_lower.y, p.y), std::min(m_lower.z, p.z)};
-      m_upper = {std::max(m_upper.x, p.x), std::max(m_upper.y, p.y), std::max(m_upper.z, p.z)};
+      : cloud_{wrapped(points, cell)}, tree_(3, cloud_), count_(count), indices_(count + 1),
+        squares_(count + 1) {
+    lower_ = upper_ = cloud_.points.front();
+    for (const Vector3& p : cloud_.points) {
+      lower_ = {std::min(lower_.x, p.x), std::min(lower_.y, p.y), std::min(lower_.z, p.z)};
+      upper_ = {std::max(upper_.x, p.x), std::max(upper_.y, p.y), std::max(upper_.z, p.z)};
     }
   }
 
   std::vector<std::vector<std::size_t>> find(const PeriodicCell& cell) {
-    std::vector<std::vector<Found>> found(m_cloud.points.size());
+    std::vector<std::vector<Found>> found(cloud_.points.size());
     double farthest = 0.0; // no true neighbour is farther than the farthest one without images
     for (std::size_t n = 0; n < found.size(); ++n) {
-      add_near(found[n], m_cloud.points[n], n);
+      add_near(found[n], cloud_.points[n], n);
       farthest = std::max(farthest, found[n].back().squared);
     }
     const std::vector<Vector3> shifts = cell.shifts(std::sqrt(farthest));
     std::vector<std::vector<std::size_t>> result(found.size());
     for (std::size_t n = 0; n < found.size(); ++n) {
       for (std::size_t k = 1; k < shifts.size(); ++k) {
-        const Vector3 image = m_cloud.points[n] + shifts[k];
+        const Vector3 image = cloud_.points[n] + shifts[k];
         if (squared_from_bounds(image) < found[n].back().squared)
           add_near(found[n], image, n);
       }
@@ -72,31 +72,30 @@ class Finder {
     const auto outside = [](double x, double low, double high) {
       return std::max({0.0, low - x, x - high});
     };
-    const Vector3 d{outside(p.x, m_lower.x, m_upper.x), outside(p.y, m_lower.y, m_upper.y),
-                    outside(p.z, m_lower.z, m_upper.z)};
+    const Vector3 d{outside(p.x, lower_.x, upper_.x), outside(p.y, lower_.y, upper_.y),
+                    outside(p.z, lower_.z, upper_.z)};
     return dot(d, d);
   }
 
   /// Keeps the nearest ones of those known and those near `point`, all but the point itself.
   void add_near(std::vector<Found>& found, const Vector3& point, std::size_t itself) {
     const double query[3] = {point.x, point.y, point.z};
-    const std::size_t count =
-        m_tree.knnSearch(query, m_count + 1, m_indices.data(), m_squares.data());
+    const std::size_t count = tree_.knnSearch(query, count_ + 1, indices_.data(), squares_.data());
     for (std::size_t k = 0; k < count; ++k)
-      if (m_indices[k] != itself)
-        found.push_back({m_squares[k], m_indices[k]});
+      if (indices_[k] != itself)
+        found.push_back({squares_[k], indices_[k]});
     std::sort(found.begin(), found.end(), [](const Found& p, const Found& q) {
       return p.squared < q.squared || (p.squared == q.squared && p.index < q.index);
     });
-    found.resize(std::min(found.size(), m_count));
+    found.resize(std::min(found.size(), count_));
   }
 
-  Cloud m_cloud;
-  Tree m_tree;
-  std::size_t m_count;
-  std::vector<std::size_t> m_indices;
-  std::vector<double> m_squares;
-  Vector3 m_lower, m_upper;
+  Cloud cloud_;
+  Tree tree_;
+  std::size_t count_;
+  std::vector<std::size_t> indices_;
+  std::vector<double> squares_;
+  Vector3 lower_, upper_;
 };
 
 } // namespace

@@ -39,7 +39,7 @@ inline void test_loop(Columns& columns, int size) {
 } // namespace
 
 void QuickTestBatch::solve() {
-  WidestVersion<test_loop>::run(m_columns, filled_up(m_columns.in, size()));
+  WidestVersion<test_loop>::run(columns_, filled_up(columns_.in, size()));
 }
 
 } // namespace ellipsoid::post

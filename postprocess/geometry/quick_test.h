@@ -47,11 +47,11 @@ class QuickTestBatch : public Batch {
   void add(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& distance);
   void solve();
 
-  bool are_apart(int k) const { return m_columns.out[Columns::apart][k] != 0.0; }
-  bool touch(int k) const { return m_columns.out[Columns::touch][k] != 0.0; }
-  Vector3 distance(int k) const { return vector(m_columns.in, Columns::dx, k); }
+  bool are_apart(int k) const { return columns_.out[Columns::apart][k] != 0.0; }
+  bool touch(int k) const { return columns_.out[Columns::touch][k] != 0.0; }
+  Vector3 distance(int k) const { return vector(columns_.in, Columns::dx, k); }
   /// Unit vector from i to j near the contact's normal; for pairs that are not apart.
-  Vector3 normal(int k) const { return vector(m_columns.out, Columns::nx, k); }
+  Vector3 normal(int k) const { return vector(columns_.out, Columns::nx, k); }
 
   /// Columns of numbers, one per pair.
   struct Columns {
@@ -66,25 +66,25 @@ class QuickTestBatch : public Batch {
     return {columns[first][k], columns[first + 1][k], columns[first + 2][k]};
   }
 
-  Columns m_columns;
+  Columns columns_;
 };
 
 inline void QuickTestBatch::add(const EllipsoidShape& i, const EllipsoidShape& j,
                                 const Vector3& distance) {
   const int k = next();
   const auto put_matrix = [this, k](int column, const SymmetricMatrix3& a) {
-    m_columns.in[column][k] = a.xx;
-    m_columns.in[column + 1][k] = a.yy;
-    m_columns.in[column + 2][k] = a.zz;
-    m_columns.in[column + 3][k] = a.xy;
-    m_columns.in[column + 4][k] = a.xz;
-    m_columns.in[column + 5][k] = a.yz;
+    columns_.in[column][k] = a.xx;
+    columns_.in[column + 1][k] = a.yy;
+    columns_.in[column + 2][k] = a.zz;
+    columns_.in[column + 3][k] = a.xy;
+    columns_.in[column + 4][k] = a.xz;
+    columns_.in[column + 5][k] = a.yz;
   };
   put_matrix(Columns::a_i, i.a_matrix);
   put_matrix(Columns::a_j, j.a_matrix);
-  m_columns.in[Columns::dx][k] = distance.x;
-  m_columns.in[Columns::dy][k] = distance.y;
-  m_columns.in[Columns::dz][k] = distance.z;
+  columns_.in[Columns::dx][k] = distance.x;
+  columns_.in[Columns::dy][k] = distance.y;
+  columns_.in[Columns::dz][k] = distance.z;
 }
 
 } // namespace ellipsoid::post

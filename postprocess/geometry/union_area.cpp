@@ -125,20 +125,20 @@ class HiddenArcs {
  public:
   HiddenArcs(const std::vector<PlaneEllipse>& outlines, const std::vector<Circle>& circles,
              const std::vector<Edge>& edges, const OutlinePairs& near)
-      : m_outlines(outlines), m_first(outlines.size() + 1, 0) {
-    m_found.reserve(2 * near.size());
+      : outlines_(outlines), first_(outlines.size() + 1, 0) {
+    found_.reserve(2 * near.size());
     for (const Edge& edge : edges)
       find_beyond(edge, circles);
     find_covered(near);
     // counted, then put in the order of their outlines
-    for (const Hidden& hidden : m_found)
-      ++m_first[hidden.outline + 1];
+    for (const Hidden& hidden : found_)
+      ++first_[hidden.outline + 1];
     for (std::size_t i = 0; i < outlines.size(); ++i)
-      m_first[i + 1] += m_first[i];
-    m_order.resize(m_found.size());
-    std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
-    for (std::size_t k = 0; k < m_found.size(); ++k)
-      m_order[next[m_found[k].outline]++] = k;
+      first_[i + 1] += first_[i];
+    order_.resize(found_.size());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t k = 0; k < found_.size(); ++k)
+      order_[next[found_[k].outline]++] = k;
   }
 
   /// Those of one outline: `own` by outlines of the same owner or the outside, and `all`.
@@ -146,8 +146,8 @@ class HiddenArcs {
                   std::vector<ArcInterval>& all) const {
     own.clear();
     all.clear();
-    for (std::size_t k = m_first[i]; k < m_first[i + 1]; ++k) {
-      const Hidden& hidden = m_found[m_order[k]];
+    for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
+      const Hidden& hidden = found_[order_[k]];
       all.push_back(hidden.arc);
       if (hidden.is_own)
         own.push_back(hidden.arc);
@@ -173,7 +173,7 @@ class HiddenArcs {
   /// Number by number: an arc that is copied right after its numbers were stored one by one keeps
   /// the processor waiting.
   void put(std::size_t outline, bool is_own, const ArcEnd& begin, const ArcEnd& end) {
-    Hidden& hidden = m_found.emplace_back();
+    Hidden& hidden = found_.emplace_back();
     hidden.outline = outline;
     hidden.is_own = is_own;
     hidden.arc = {{begin.turn, begin.cosine, begin.sine}, {end.turn, end.cosine, end.sine}};
@@ -189,16 +189,16 @@ class HiddenArcs {
     std::vector<ArcInterval> arcs;
     for (std::size_t i = 0; i < circles.size(); ++i)
       if (beyond(edge, circles[i].centre) + circles[i].radius > 0.0) {
-        append_beyond_line(m_outlines[i], edge.outward, edge.offset, arcs);
+        append_beyond_line(outlines_[i], edge.outward, edge.offset, arcs);
         add(i, true, arcs);
       }
   }
 
   void find_covered(const OutlinePairs& near) {
     for (const auto& [i, j] : near) {
-      m_waiting[static_cast<std::size_t>(m_batch.size())] = {i, j};
-      m_batch.add(m_outlines[i], m_outlines[j]);
-      if (m_batch.full())
+      waiting_[static_cast<std::size_t>(batch_.size())] = {i, j};
+      batch_.add(outlines_[i], outlines_[j]);
+      if (batch_.full())
         process_waiting();
     }
     process_waiting();
@@ -206,29 +206,29 @@ class HiddenArcs {
 
   void process_waiting() {
     std::vector<ArcInterval> of_i, of_j;
-    m_batch.solve();
-    for (int k = 0; k < m_batch.size(); ++k) {
-      const auto [i, j] = m_waiting[static_cast<std::size_t>(k)];
-      const bool is_own = m_outlines[i].owner == m_outlines[j].owner;
-      const LensBatch::Verdict verdict = m_batch.verdict(k);
+    batch_.solve();
+    for (int k = 0; k < batch_.size(); ++k) {
+      const auto [i, j] = waiting_[static_cast<std::size_t>(k)];
+      const bool is_own = outlines_[i].owner == outlines_[j].owner;
+      const LensBatch::Verdict verdict = batch_.verdict(k);
       if (verdict == LensBatch::Verdict::lens) {
-        add(i, is_own, m_batch.of_i(k));
-        add(j, is_own, m_batch.of_j(k));
+        add(i, is_own, batch_.of_i(k));
+        add(j, is_own, batch_.of_j(k));
       } else if (verdict == LensBatch::Verdict::unknown) {
-        append_covered(m_outlines[i], m_outlines[j], of_i, of_j);
+        append_covered(outlines_[i], outlines_[j], of_i, of_j);
         add(i, is_own, of_i);
         add(j, is_own, of_j);
       }
     }
-    m_batch.clear();
+    batch_.clear();
   }
 
-  LensBatch m_batch;
-  std::array<std::pair<std::size_t, std::size_t>, LensBatch::capacity> m_waiting;
-  const std::vector<PlaneEllipse>& m_outlines;
-  std::vector<Hidden> m_found;
-  std::vector<std::size_t> m_order; ///< of m_found: outline by outline
-  std::vector<std::size_t> m_first; ///< of each outline in m_order
+  LensBatch batch_;
+  std::array<std::pair<std::size_t, std::size_t>, LensBatch::capacity> waiting_;
+  const std::vector<PlaneEllipse>& outlines_;
+  std::vector<Hidden> found_;
+  std::vector<std::size_t> order_; ///< of found_: outline by outline
+  std::vector<std::size_t> first_; ///< of each outline in order_
 };
 
 } // namespace

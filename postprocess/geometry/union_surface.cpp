@@ -49,22 +49,22 @@ std::vector<SurfacePoint> union_surface_points(const SphereSet& set, int count) 
 }
 
 bool UnionDistance::is_uncovered(const Vector3& point, std::size_t k, std::size_t l) const {
-  for (std::size_t m = 0; m < m_set.radii.size(); ++m)
-    if (m != k && m != l && norm(point - m_set.centres[m]) < m_set.radii[m] * (1.0 - rounding))
+  for (std::size_t m = 0; m < set_.radii.size(); ++m)
+    if (m != k && m != l && norm(point - set_.centres[m]) < set_.radii[m] * (1.0 - rounding))
       return false;
   return true;
 }
 
 double UnionDistance::from(const Vector3& point) const {
   double outside = std::numeric_limits<double>::infinity(), nearest = outside, depth = 0.0;
-  for (std::size_t k = 0; k < m_set.radii.size(); ++k) {
-    const Vector3 apart = point - m_set.centres[k];
-    const double distance = norm(apart), r = m_set.radii[k];
+  for (std::size_t k = 0; k < set_.radii.size(); ++k) {
+    const Vector3 apart = point - set_.centres[k];
+    const double distance = norm(apart), r = set_.radii[k];
     outside = std::min(outside, distance - r);
     if (distance >= r || distance == 0.0)
       continue;
     depth = std::max(depth, r - distance);
-    if (r - distance < nearest && is_uncovered(m_set.centres[k] + (r / distance) * apart, k, k))
+    if (r - distance < nearest && is_uncovered(set_.centres[k] + (r / distance) * apart, k, k))
       nearest = r - distance;
   }
   if (outside >= 0.0)
@@ -76,19 +76,19 @@ double UnionDistance::from(const Vector3& point) const {
 /// The circles in which two spheres cut each other.
 double UnionDistance::from_seams(const Vector3& point, double reached) const {
   std::vector<std::size_t> near;
-  for (std::size_t k = 0; k < m_set.radii.size(); ++k)
-    if (std::fabs(norm(point - m_set.centres[k]) - m_set.radii[k]) < reached)
+  for (std::size_t k = 0; k < set_.radii.size(); ++k)
+    if (std::fabs(norm(point - set_.centres[k]) - set_.radii[k]) < reached)
       near.push_back(k);
   for (std::size_t i = 0; i < near.size(); ++i)
     for (std::size_t j = i + 1; j < near.size(); ++j) {
       const std::size_t k = near[i], l = near[j];
-      const Vector3 apart = m_set.centres[l] - m_set.centres[k];
-      const double distance = norm(apart), r = m_set.radii[k], s = m_set.radii[l];
+      const Vector3 apart = set_.centres[l] - set_.centres[k];
+      const double distance = norm(apart), r = set_.radii[k], s = set_.radii[l];
       const double height = 0.5 * (distance + (r - s) * (r + s) / distance);
       if (!(std::fabs(height) < r))
         continue;
       const Vector3 axis = (1.0 / distance) * apart;
-      const Vector3 middle = m_set.centres[k] + height * axis;
+      const Vector3 middle = set_.centres[k] + height * axis;
       const Vector3 across = point - middle - part_along(point - middle, axis);
       if (norm(across) == 0.0)
         continue;

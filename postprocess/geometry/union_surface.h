@@ -24,7 +24,7 @@ std::vector<Vector3> unit_sphere_points(int count);
 /// Distance of points from the surface of a union, inside or outside (length, >= 0).
 class UnionDistance {
  public:
-  explicit UnionDistance(const SphereSet& set) : m_set(set) {}
+  explicit UnionDistance(const SphereSet& set) : set_(set) {}
 
   /// Exact outside, and inside where the nearest point lies on a sphere or in the seam of two
   /// spheres; where only corners of three spheres are nearer than anything else, too large.
@@ -34,7 +34,7 @@ class UnionDistance {
   bool is_uncovered(const Vector3& point, std::size_t k, std::size_t l) const;
   double from_seams(const Vector3& point, double reached) const;
 
-  const SphereSet& m_set;
+  const SphereSet& set_;
 };
 
 } // namespace ellipsoid::post

@@ -35,27 +35,27 @@ double factor_of(CoarseGrainingShape shape, double width, double reach) {
 } // namespace
 
 CoarseGrainingFunction::CoarseGrainingFunction(CoarseGrainingShape shape, double width)
-    : m_shape(shape), m_width(width), m_reach(reach_of(shape, width)),
-      m_factor(factor_of(shape, width, m_reach)) {}
+    : shape_(shape), width_(width), reach_(reach_of(shape, width)),
+      factor_(factor_of(shape, width, reach_)) {}
 
 double CoarseGrainingFunction::value(double distance_squared) const {
-  if (distance_squared > m_reach * m_reach)
+  if (distance_squared > reach_ * reach_)
     return 0.0;
-  switch (m_shape) {
+  switch (shape_) {
   case CoarseGrainingShape::gaussian:
-    return m_factor * std::exp(-0.5 * distance_squared / (m_width * m_width));
+    return factor_ * std::exp(-0.5 * distance_squared / (width_ * width_));
   case CoarseGrainingShape::lucy: {
-    const double q = std::sqrt(distance_squared) / m_reach;
-    return m_factor * (1.0 + q * q * (-6.0 + q * (8.0 - 3.0 * q)));
+    const double q = std::sqrt(distance_squared) / reach_;
+    return factor_ * (1.0 + q * q * (-6.0 + q * (8.0 - 3.0 * q)));
   }
   case CoarseGrainingShape::heaviside:
-    return m_factor;
+    return factor_;
   }
   return 0.0;
 }
 
 double CoarseGrainingFunction::along_line(double distance_squared, double begin, double end) const {
-  const double half = m_reach * m_reach - distance_squared;
+  const double half = reach_ * reach_ - distance_squared;
   if (!(half > 0.0))
     return 0.0;
   const double limit = std::sqrt(half);
@@ -69,68 +69,68 @@ double CoarseGrainingFunction::along_line(double distance_squared, double begin,
 /// Odd in `end`.
 double CoarseGrainingFunction::line_from_foot(double distance_squared, double end) const {
   const double d2 = distance_squared, t = end;
-  switch (m_shape) {
+  switch (shape_) {
   case CoarseGrainingShape::gaussian:
-    return m_factor * std::exp(-0.5 * d2 / (m_width * m_width)) * root_half_pi * m_width *
-           std::erf(root_half * t / m_width);
+    return factor_ * std::exp(-0.5 * d2 / (width_ * width_)) * root_half_pi * width_ *
+           std::erf(root_half * t / width_);
   case CoarseGrainingShape::lucy: {
-    const double c2 = m_reach * m_reach, t2 = t * t, r = std::sqrt(d2 + t2), d = std::sqrt(d2);
+    const double c2 = reach_ * reach_, t2 = t * t, r = std::sqrt(d2 + t2), d = std::sqrt(d2);
     const double square = t * (d2 + t2 / 3.0);
     const double fourth = t * (d2 * d2 + t2 * (2.0 / 3.0 * d2 + 0.2 * t2));
     const double logarithm = d2 > 0.0 ? 0.375 * d2 * d2 * std::asinh(t / d) : 0.0;
     const double cube = 0.125 * t * r * (2.0 * t2 + 5.0 * d2) + logarithm;
-    return m_factor *
-           (t - 6.0 * square / c2 + 8.0 * cube / (c2 * m_reach) - 3.0 * fourth / (c2 * c2));
+    return factor_ *
+           (t - 6.0 * square / c2 + 8.0 * cube / (c2 * reach_) - 3.0 * fourth / (c2 * c2));
   }
   case CoarseGrainingShape::heaviside:
-    return m_factor * t;
+    return factor_ * t;
   }
   return 0.0;
 }
 
 double CoarseGrainingFunction::over_plane(double distance) const {
-  const double z2 = distance * distance, c2 = m_reach * m_reach;
+  const double z2 = distance * distance, c2 = reach_ * reach_;
   if (z2 > c2)
     return 0.0;
-  switch (m_shape) {
+  switch (shape_) {
   case CoarseGrainingShape::gaussian: {
-    const double w2 = m_width * m_width;
-    return 2.0 * M_PI * w2 * m_factor * (std::exp(-0.5 * z2 / w2) - std::exp(-0.5 * c2 / w2));
+    const double w2 = width_ * width_;
+    return 2.0 * M_PI * w2 * factor_ * (std::exp(-0.5 * z2 / w2) - std::exp(-0.5 * c2 / w2));
   }
   case CoarseGrainingShape::lucy: {
-    const double q = std::abs(distance) / m_reach, q2 = q * q;
+    const double q = std::abs(distance) / reach_, q2 = q * q;
     const double inside = q2 * (0.5 + q2 * (-1.5 + q * (1.6 - 0.5 * q)));
-    return 2.0 * M_PI * c2 * m_factor * (0.1 - inside);
+    return 2.0 * M_PI * c2 * factor_ * (0.1 - inside);
   }
   case CoarseGrainingShape::heaviside:
-    return M_PI * (c2 - z2) * m_factor;
+    return M_PI * (c2 - z2) * factor_;
   }
   return 0.0;
 }
 
 double CoarseGrainingFunction::between_planes(double begin, double end) const {
-  return plane_from_centre(std::clamp(end, -m_reach, m_reach)) -
-         plane_from_centre(std::clamp(begin, -m_reach, m_reach));
+  return plane_from_centre(std::clamp(end, -reach_, reach_)) -
+         plane_from_centre(std::clamp(begin, -reach_, reach_));
 }
 
 /// Odd in `abscissa`.
 double CoarseGrainingFunction::plane_from_centre(double abscissa) const {
-  const double z = abscissa, c2 = m_reach * m_reach;
-  switch (m_shape) {
+  const double z = abscissa, c2 = reach_ * reach_;
+  switch (shape_) {
   case CoarseGrainingShape::gaussian: {
-    const double w2 = m_width * m_width;
-    return 2.0 * M_PI * w2 * m_factor *
-           (m_width * root_half_pi * std::erf(root_half * z / m_width) -
+    const double w2 = width_ * width_;
+    return 2.0 * M_PI * w2 * factor_ *
+           (width_ * root_half_pi * std::erf(root_half * z / width_) -
             z * std::exp(-0.5 * c2 / w2));
   }
   case CoarseGrainingShape::lucy: {
-    const double q = z / m_reach, q2 = q * q;
+    const double q = z / reach_, q2 = q * q;
     const double inside =
         q * q2 * (1.0 / 6.0 + q2 * (-0.3 + std::abs(q) * (4.0 / 15.0 - std::abs(q) / 14.0)));
-    return 2.0 * M_PI * c2 * m_reach * m_factor * (0.1 * q - inside);
+    return 2.0 * M_PI * c2 * reach_ * factor_ * (0.1 * q - inside);
   }
   case CoarseGrainingShape::heaviside:
-    return M_PI * (c2 * z - z * z * z / 3.0) * m_factor;
+    return M_PI * (c2 * z - z * z * z / 3.0) * factor_;
   }
   return 0.0;
 }

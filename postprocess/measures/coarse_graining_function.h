@@ -18,8 +18,8 @@ class CoarseGrainingFunction {
   /// @param[in] width w (length), > 0
   CoarseGrainingFunction(CoarseGrainingShape shape, double width);
 
-  double width() const { return m_width; }
-  double reach() const { return m_reach; } ///< phi is 0 beyond (length)
+  double width() const { return width_; }
+  double reach() const { return reach_; } ///< phi is 0 beyond (length)
 
   /// phi at a squared distance (1/length^3).
   double value(double distance_squared) const;
@@ -35,8 +35,8 @@ class CoarseGrainingFunction {
   double line_from_foot(double distance_squared, double end) const;
   double plane_from_centre(double abscissa) const;
 
-  CoarseGrainingShape m_shape;
-  double m_width, m_reach, m_factor;
+  CoarseGrainingShape shape_;
+  double width_, reach_, factor_;
 };
 
 } // namespace ellipsoid::post

@@ -26,8 +26,8 @@ Collisions::Touching Collisions::begun(const ParticleSet& set, const TouchingPai
   fresh.normal = pair.normal;
   fresh.lever_1 = cell.nearest(pair.point - p.centre);
   fresh.lever_2 = cell.nearest(pair.point - q.centre);
-  const auto first = m_motions.find(p.id), second = m_motions.find(q.id);
-  fresh.is_whole = m_has_frame && first != m_motions.end() && second != m_motions.end();
+  const auto first = motions_.find(p.id), second = motions_.find(q.id);
+  fresh.is_whole = has_frame_ && first != motions_.end() && second != motions_.end();
   if (fresh.is_whole) {
     const Vector3 v = relative_velocity(first->second, second->second, fresh);
     fresh.collision.normal_speed = -dot(v, fresh.normal);
@@ -40,7 +40,7 @@ Collisions::Touching Collisions::begun(const ParticleSet& set, const TouchingPai
 std::vector<Collision> Collisions::ended(const std::map<std::int64_t, Motion>& motions,
                                          double time) const {
   std::vector<Collision> ended;
-  for (const auto& [ids, was] : m_touching) {
+  for (const auto& [ids, was] : touching_) {
     const auto first = motions.find(ids.first), second = motions.find(ids.second);
     if (!was.is_whole || first == motions.end() || second == motions.end())
       continue;
@@ -56,28 +56,28 @@ std::vector<Collision> Collisions::advance(const ParticleSet& set,
                                            const std::vector<TouchingPair>& pairs, double time) {
   if (!set.has_velocities || !set.has_spins)
     throw InputError("collisions need the columns vx vy vz and omegax omegay omegaz");
-  const double between = 0.5 * (m_time + time);
+  const double between = 0.5 * (time_ + time);
   std::map<std::int64_t, Motion> motions;
   for (const Particle& p : set.particles)
     motions[p.id] = {p.velocity, p.angular_velocity};
   std::map<Pair, Touching> touching;
   for (const TouchingPair& pair : pairs) {
     const Pair ids{set.particles[pair.i].id, set.particles[pair.j].id};
-    if (const auto known = m_touching.find(ids); known != m_touching.end()) {
+    if (const auto known = touching_.find(ids); known != touching_.end()) {
       touching[ids] = known->second;
-      m_touching.erase(known);
+      touching_.erase(known);
     } else if (touching.count(ids) == 0) {
       const Touching& fresh = touching[ids] = begun(set, pair, between);
-      m_from_the_start += fresh.is_whole ? 0 : 1;
+      from_the_start_ += fresh.is_whole ? 0 : 1;
     }
     Collision& c = touching[ids].collision;
     c.largest_overlap = std::max(c.largest_overlap, pair.overlap);
   }
   std::vector<Collision> over = ended(motions, between);
-  m_touching = std::move(touching);
-  m_motions = std::move(motions);
-  m_time = time;
-  m_has_frame = true;
+  touching_ = std::move(touching);
+  motions_ = std::move(motions);
+  time_ = time;
+  has_frame_ = true;
   return over;
 }
 

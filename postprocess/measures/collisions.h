@@ -48,8 +48,8 @@ class Collisions {
   std::vector<Collision> advance(const ParticleSet& set, const std::vector<TouchingPair>& pairs,
                                  double time);
 
-  std::size_t from_the_start() const { return m_from_the_start; } ///< pairs not seen to begin
-  std::size_t not_ended() const { return m_touching.size(); }     ///< pairs that touch now
+  std::size_t from_the_start() const { return from_the_start_; } ///< pairs not seen to begin
+  std::size_t not_ended() const { return touching_.size(); }     ///< pairs that touch now
 
  private:
   struct Touching {
@@ -67,11 +67,11 @@ class Collisions {
   Touching begun(const ParticleSet& set, const TouchingPair& pair, double time) const;
   std::vector<Collision> ended(const std::map<std::int64_t, Motion>& motions, double time) const;
 
-  bool m_has_frame = false;
-  double m_time = 0.0; ///< of the last frame
-  std::size_t m_from_the_start = 0;
-  std::map<Pair, Touching> m_touching;
-  std::map<std::int64_t, Motion> m_motions; ///< of the last frame
+  bool has_frame_ = false;
+  double time_ = 0.0; ///< of the last frame
+  std::size_t from_the_start_ = 0;
+  std::map<Pair, Touching> touching_;
+  std::map<std::int64_t, Motion> motions_; ///< of the last frame
 };
 
 } // namespace ellipsoid::post

@@ -19,28 +19,27 @@ constexpr int quick_columns = 120; ///< of the search
 class Errors {
  public:
   Errors(const Vector3& semiaxes, SphereSpacing spacing, SetError what)
-      : m_semiaxes(semiaxes), m_spacing(spacing), m_what(what), m_solid(solid_ellipsoid(semiaxes)) {
-  }
+      : semiaxes_(semiaxes), spacing_(spacing), what_(what), solid_(solid_ellipsoid(semiaxes)) {}
 
   double of(int count, int along) const {
-    const SphereSet set = place_ellipsoid_spheres(m_semiaxes, count, m_spacing);
+    const SphereSet set = place_ellipsoid_spheres(semiaxes_, count, spacing_);
     if (!is_one_body(set))
       return std::numeric_limits<double>::infinity();
-    if (m_what == SetError::volume)
-      return share_in_exactly_one(set, m_solid, along);
-    const OutlineDistances found = outline_distances(set, m_solid);
+    if (what_ == SetError::volume)
+      return share_in_exactly_one(set, solid_, along);
+    const OutlineDistances found = outline_distances(set, solid_);
     return std::max(found.largest_to_solid, found.largest_to_spheres) /
-           std::min({m_semiaxes.x, m_semiaxes.y, m_semiaxes.z});
+           std::min({semiaxes_.x, semiaxes_.y, semiaxes_.z});
   }
   bool are_within(double tolerance, int count, int along) const {
     return of(count, along) <= tolerance;
   }
 
  private:
-  Vector3 m_semiaxes;
-  SphereSpacing m_spacing;
-  SetError m_what;
-  Solid m_solid;
+  Vector3 semiaxes_;
+  SphereSpacing spacing_;
+  SetError what_;
+  Solid solid_;
 };
 
 } // namespace

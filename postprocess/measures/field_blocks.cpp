@@ -17,36 +17,36 @@ void add_to(std::vector<FieldSums>& to, const std::vector<FieldSums>& more) {
 
 void FieldBlocks::add(const std::vector<FieldSums>& frame) {
   constexpr std::size_t most_blocks = 40;
-  if (m_blocks.empty() || (m_keeps_blocks && m_blocks.back().frames == m_frames_in_block)) {
-    if (m_blocks.size() == most_blocks)
+  if (blocks_.empty() || (keeps_blocks_ && blocks_.back().frames == frames_in_block_)) {
+    if (blocks_.size() == most_blocks)
       join_neighbours();
-    m_blocks.emplace_back();
+    blocks_.emplace_back();
   }
-  add_to(m_blocks.back().sums, frame);
-  ++m_blocks.back().frames;
+  add_to(blocks_.back().sums, frame);
+  ++blocks_.back().frames;
 }
 
 void FieldBlocks::join_neighbours() {
-  std::vector<Block> joined(m_blocks.size() / 2);
+  std::vector<Block> joined(blocks_.size() / 2);
   for (std::size_t b = 0; b < joined.size(); ++b)
     for (const std::size_t part : {2 * b, 2 * b + 1}) {
-      add_to(joined[b].sums, m_blocks[part].sums);
-      joined[b].frames += m_blocks[part].frames;
+      add_to(joined[b].sums, blocks_[part].sums);
+      joined[b].frames += blocks_[part].frames;
     }
-  m_blocks = std::move(joined);
-  m_frames_in_block *= 2;
+  blocks_ = std::move(joined);
+  frames_in_block_ *= 2;
 }
 
 std::size_t FieldBlocks::frames() const {
   std::size_t sum = 0;
-  for (const Block& block : m_blocks)
+  for (const Block& block : blocks_)
     sum += block.frames;
   return sum;
 }
 
 FieldSums FieldBlocks::mean(std::size_t point) const {
   FieldSums mean{};
-  for (const Block& block : m_blocks)
+  for (const Block& block : blocks_)
     for (std::size_t k = 0; k < field_size; ++k)
       mean[k] += block.sums[point][k];
   for (double& value : mean)
@@ -56,13 +56,13 @@ FieldSums FieldBlocks::mean(std::size_t point) const {
 
 std::vector<double> FieldBlocks::standard_errors(
     std::size_t point, const std::function<std::vector<double>(const FieldSums&)>& numbers) const {
-  if (m_blocks.size() < 2)
+  if (blocks_.size() < 2)
     return {};
-  const double count = static_cast<double>(m_blocks.size()), all = static_cast<double>(frames());
+  const double count = static_cast<double>(blocks_.size()), all = static_cast<double>(frames());
   const FieldSums mean_of_all = mean(point);
   const std::vector<double> whole = numbers(mean_of_all);
   std::vector<std::vector<double>> left_out;
-  for (const Block& block : m_blocks) {
+  for (const Block& block : blocks_) {
     const double m = static_cast<double>(block.frames);
     FieldSums rest{};
     for (std::size_t k = 0; k < field_size; ++k)
@@ -72,10 +72,10 @@ std::vector<double> FieldBlocks::standard_errors(
   std::vector<double> errors(whole.size(), 0.0);
   for (std::size_t n = 0; n < whole.size(); ++n) {
     double centre = count * whole[n];
-    for (std::size_t b = 0; b < m_blocks.size(); ++b)
-      centre -= (1.0 - static_cast<double>(m_blocks[b].frames) / all) * left_out[b][n];
-    for (std::size_t b = 0; b < m_blocks.size(); ++b) {
-      const double h = all / static_cast<double>(m_blocks[b].frames);
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+      centre -= (1.0 - static_cast<double>(blocks_[b].frames) / all) * left_out[b][n];
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      const double h = all / static_cast<double>(blocks_[b].frames);
       const double pseudo_value = h * whole[n] - (h - 1.0) * left_out[b][n];
       errors[n] += (pseudo_value - centre) * (pseudo_value - centre) / (h - 1.0) / count;
     }

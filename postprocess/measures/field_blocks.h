@@ -13,11 +13,11 @@ namespace ellipsoid::post {
 /// less so. Memory: 20 to 40 blocks, however many frames there are (`keeps_blocks`), or one.
 class FieldBlocks {
  public:
-  explicit FieldBlocks(bool keeps_blocks) : m_keeps_blocks(keeps_blocks) {}
+  explicit FieldBlocks(bool keeps_blocks) : keeps_blocks_(keeps_blocks) {}
   void add(const std::vector<FieldSums>& frame);
 
   std::size_t frames() const;
-  std::size_t points() const { return m_blocks.empty() ? 0 : m_blocks.front().sums.size(); }
+  std::size_t points() const { return blocks_.empty() ? 0 : blocks_.front().sums.size(); }
   /// Mean over the frames at one point.
   FieldSums mean(std::size_t point) const;
 
@@ -35,9 +35,9 @@ class FieldBlocks {
   };
   void join_neighbours();
 
-  bool m_keeps_blocks;
-  std::size_t m_frames_in_block = 1; ///< of all blocks but the last
-  std::vector<Block> m_blocks;
+  bool keeps_blocks_;
+  std::size_t frames_in_block_ = 1; ///< of all blocks but the last
+  std::vector<Block> blocks_;
 };
 
 } // namespace ellipsoid::post

@@ -49,34 +49,33 @@ class PointTargets : public FieldTargets {
  public:
   PointTargets(std::vector<Vector3> points, const CoarseGrainingFunction& function,
                const PeriodicCell& cell, double longest)
-      : m_points(std::move(points)), m_function(function), m_cell(cell), m_sums(m_points.size()) {
-    m_bounds = {m_points.front(), m_points.front()};
-    for (const Vector3& p : m_points)
-      m_bounds = {bounds_of(m_bounds.lower, p, 0.0).lower, bounds_of(m_bounds.upper, p, 0.0).upper};
-    m_shifts = cell.shifts(function.reach() + longest + overhang(cell, m_bounds));
+      : points_(std::move(points)), function_(function), cell_(cell), sums_(points_.size()) {
+    bounds_ = {points_.front(), points_.front()};
+    for (const Vector3& p : points_)
+      bounds_ = {bounds_of(bounds_.lower, p, 0.0).lower, bounds_of(bounds_.upper, p, 0.0).upper};
+    shifts_ = cell.shifts(function.reach() + longest + overhang(cell, bounds_));
     constexpr double most_cells = 64.0; // along an axis
     for (std::size_t k = 0; k < 3; ++k) {
-      const double extent = component(m_bounds.upper, k) - component(m_bounds.lower, k);
-      m_size[k] = std::max(function.reach(), extent / most_cells);
-      m_count[k] = 1 + static_cast<std::size_t>(extent / m_size[k]);
+      const double extent = component(bounds_.upper, k) - component(bounds_.lower, k);
+      size_[k] = std::max(function.reach(), extent / most_cells);
+      count_[k] = 1 + static_cast<std::size_t>(extent / size_[k]);
     }
-    m_cells.resize(m_count[0] * m_count[1] * m_count[2]);
-    for (std::size_t n = 0; n < m_points.size(); ++n)
-      m_cells[(cell_along(0, m_points[n].x) * m_count[1] + cell_along(1, m_points[n].y)) *
-                  m_count[2] +
-              cell_along(2, m_points[n].z)]
+    cells_.resize(count_[0] * count_[1] * count_[2]);
+    for (std::size_t n = 0; n < points_.size(); ++n)
+      cells_[(cell_along(0, points_[n].x) * count_[1] + cell_along(1, points_[n].y)) * count_[2] +
+             cell_along(2, points_[n].z)]
           .push_back(n);
   }
 
   void add_at(const Vector3& point, const FieldSums& source, FieldRange range) override {
-    const Vector3 home = m_cell.wrapped(point);
-    for (const Vector3& shift : m_shifts) {
+    const Vector3 home = cell_.wrapped(point);
+    for (const Vector3& shift : shifts_) {
       const Vector3 p = home + shift;
       for_near(
-          bounds_of(p, p, m_function.reach()),
+          bounds_of(p, p, function_.reach()),
           [&](std::size_t n) {
-            const Vector3 d = m_points[n] - p;
-            return m_function.value(dot(d, d));
+            const Vector3 d = points_[n] - p;
+            return function_.value(dot(d, d));
           },
           source, range);
     }
@@ -84,40 +83,40 @@ class PointTargets : public FieldTargets {
 
   void add_along(const Vector3& begin, const Vector3& end, const FieldSums& source,
                  FieldRange range) override {
-    const Vector3 way = end - begin, home = m_cell.wrapped(begin);
+    const Vector3 way = end - begin, home = cell_.wrapped(begin);
     const double length = norm(way);
-    if (!(length > 1.0e-9 * m_function.width())) { // no longer than a point
+    if (!(length > 1.0e-9 * function_.width())) { // no longer than a point
       add_at(begin, source, range);
       return;
     }
     const Vector3 direction = (1.0 / length) * way;
-    for (const Vector3& shift : m_shifts) {
+    for (const Vector3& shift : shifts_) {
       const Vector3 p = home + shift;
       for_near(
-          bounds_of(p, p + way, m_function.reach()),
+          bounds_of(p, p + way, function_.reach()),
           [&](std::size_t n) {
-            const Vector3 d = m_points[n] - p;
+            const Vector3 d = points_[n] - p;
             const double foot = dot(d, direction);
             const double from_line = std::max(0.0, dot(d, d) - foot * foot);
-            return m_function.along_line(from_line, -foot, length - foot) / length;
+            return function_.along_line(from_line, -foot, length - foot) / length;
           },
           source, range);
     }
   }
 
-  const std::vector<FieldSums>& sums() const override { return m_sums; }
-  void clear() override { std::fill(m_sums.begin(), m_sums.end(), FieldSums{}); }
+  const std::vector<FieldSums>& sums() const override { return sums_; }
+  void clear() override { std::fill(sums_.begin(), sums_.end(), FieldSums{}); }
 
  private:
   std::size_t cell_along(std::size_t k, double x) const {
-    const double cell = std::floor((x - component(m_bounds.lower, k)) / m_size[k]);
-    return static_cast<std::size_t>(std::clamp(cell, 0.0, static_cast<double>(m_count[k] - 1)));
+    const double cell = std::floor((x - component(bounds_.lower, k)) / size_[k]);
+    return static_cast<std::size_t>(std::clamp(cell, 0.0, static_cast<double>(count_[k] - 1)));
   }
 
   template <class Weight>
   void for_near(const Bounds& near, const Weight& weight, const FieldSums& source,
                 FieldRange range) {
-    if (!overlap(near, m_bounds))
+    if (!overlap(near, bounds_))
       return;
     std::array<std::size_t, 3> from, to;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -127,20 +126,20 @@ class PointTargets : public FieldTargets {
     for (std::size_t i = from[0]; i <= to[0]; ++i)
       for (std::size_t j = from[1]; j <= to[1]; ++j)
         for (std::size_t k = from[2]; k <= to[2]; ++k)
-          for (const std::size_t n : m_cells[(i * m_count[1] + j) * m_count[2] + k])
+          for (const std::size_t n : cells_[(i * count_[1] + j) * count_[2] + k])
             if (const double w = weight(n); w > 0.0)
-              add_to(m_sums[n], w, source, range);
+              add_to(sums_[n], w, source, range);
   }
 
-  std::vector<Vector3> m_points;
-  CoarseGrainingFunction m_function;
-  PeriodicCell m_cell;
-  std::vector<FieldSums> m_sums;
-  Bounds m_bounds;
-  std::vector<Vector3> m_shifts;
-  std::array<double, 3> m_size{};
-  std::array<std::size_t, 3> m_count{};
-  std::vector<std::vector<std::size_t>> m_cells;
+  std::vector<Vector3> points_;
+  CoarseGrainingFunction function_;
+  PeriodicCell cell_;
+  std::vector<FieldSums> sums_;
+  Bounds bounds_;
+  std::vector<Vector3> shifts_;
+  std::array<double, 3> size_{};
+  std::array<std::size_t, 3> count_{};
+  std::vector<std::vector<std::size_t>> cells_;
 };
 
 /// The part of a segment inside a section: shares of its length.
@@ -152,11 +151,11 @@ class PlaneTargets : public FieldTargets {
  public:
   PlaneTargets(std::size_t axis, std::vector<double> abscissae, const std::optional<Box>& section,
                const CoarseGrainingFunction& function, const PeriodicCell& cell, double longest)
-      : m_axis(axis), m_abscissae(std::move(abscissae)), m_section(section), m_function(function),
-        m_cell(cell), m_sums(m_abscissae.size()) {
-    const auto range = std::minmax_element(m_abscissae.begin(), m_abscissae.end());
-    m_lowest = *range.first;
-    m_highest = *range.second;
+      : axis_(axis), abscissae_(std::move(abscissae)), section_(section), function_(function),
+        cell_(cell), sums_(abscissae_.size()) {
+    const auto range = std::minmax_element(abscissae_.begin(), abscissae_.end());
+    lowest_ = *range.first;
+    highest_ = *range.second;
     if (section)
       set_section(*section, longest);
     else
@@ -169,60 +168,60 @@ class PlaneTargets : public FieldTargets {
 
   void add_along(const Vector3& begin, const Vector3& end, const FieldSums& source,
                  FieldRange range) override {
-    const Vector3 home = m_cell.wrapped(begin), way = end - begin;
-    for (const Vector3& shift : m_shifts) {
+    const Vector3 home = cell_.wrapped(begin), way = end - begin;
+    for (const Vector3& shift : shifts_) {
       const Vector3 p = home + shift;
-      const Share inside = m_section ? inside_section(p, way) : Share{};
+      const Share inside = section_ ? inside_section(p, way) : Share{};
       if (!(inside.begin <= inside.end))
         continue;
       const bool is_point = norm(way) == 0.0;
       const double length = is_point ? 1.0 : inside.end - inside.begin;
-      add_between(component(p + inside.begin * way, m_axis),
-                  component(p + inside.end * way, m_axis), length / m_area, source, range);
+      add_between(component(p + inside.begin * way, axis_), component(p + inside.end * way, axis_),
+                  length / area_, source, range);
     }
   }
 
-  const std::vector<FieldSums>& sums() const override { return m_sums; }
-  void clear() override { std::fill(m_sums.begin(), m_sums.end(), FieldSums{}); }
+  const std::vector<FieldSums>& sums() const override { return sums_; }
+  void clear() override { std::fill(sums_.begin(), sums_.end(), FieldSums{}); }
 
  private:
   void set_section(const Box& section, double longest) {
     Bounds bounds{{section.lower[0], section.lower[1], section.lower[2]},
                   {section.upper[0], section.upper[1], section.upper[2]}};
-    m_area = 1.0;
+    area_ = 1.0;
     for (std::size_t k = 0; k < 3; ++k)
-      if (k != m_axis)
-        m_area *= section.upper[k] - section.lower[k];
-    m_shifts = m_cell.shifts(m_function.reach() + longest + overhang(m_cell, bounds));
+      if (k != axis_)
+        area_ *= section.upper[k] - section.lower[k];
+    shifts_ = cell_.shifts(function_.reach() + longest + overhang(cell_, bounds));
   }
 
   /// Images along the axis only: those beside it are the same planes.
   void set_cell(double longest) {
-    m_area = m_cell.volume() / m_cell.thickness(m_axis);
+    area_ = cell_.volume() / cell_.thickness(axis_);
     for (std::size_t k = 0; k < 3; ++k)
-      if (k != m_axis && m_cell.is_periodic(k) && component(m_cell.edge(k), m_axis) != 0.0)
+      if (k != axis_ && cell_.is_periodic(k) && component(cell_.edge(k), axis_) != 0.0)
         throw InputError("the box is tilted, and planes across this axis do not repeat with it: "
                          "take a profile along z, or give --box");
-    m_shifts = {Vector3{}};
-    if (!m_cell.is_periodic(m_axis))
+    shifts_ = {Vector3{}};
+    if (!cell_.is_periodic(axis_))
       return;
-    const double low = component(m_cell.corner(), m_axis), period = m_cell.thickness(m_axis);
+    const double low = component(cell_.corner(), axis_), period = cell_.thickness(axis_);
     const double reach =
-        m_function.reach() + longest + std::max({0.0, low - m_lowest, m_highest - low - period});
+        function_.reach() + longest + std::max({0.0, low - lowest_, highest_ - low - period});
     const int most = static_cast<int>(std::ceil(reach / period));
     for (int n = -most; n <= most; ++n)
       if (n != 0)
-        m_shifts.push_back(double(n) * m_cell.edge(m_axis));
+        shifts_.push_back(double(n) * cell_.edge(axis_));
   }
 
   Share inside_section(const Vector3& begin, const Vector3& way) const {
     constexpr Share nothing{1.0, 0.0};
     Share share;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (k == m_axis)
+      if (k == axis_)
         continue;
       const double from = component(begin, k), along = component(way, k);
-      const double low = m_section->lower[k] - from, high = m_section->upper[k] - from;
+      const double low = section_->lower[k] - from, high = section_->upper[k] - from;
       if (along == 0.0) {
         if (low > 0.0 || high <= 0.0)
           return nothing;
@@ -236,28 +235,28 @@ class PlaneTargets : public FieldTargets {
 
   void add_between(double begin, double end, double factor, const FieldSums& source,
                    FieldRange range) {
-    const double reach = m_function.reach();
-    if (std::max(begin, end) + reach < m_lowest || std::min(begin, end) - reach > m_highest)
+    const double reach = function_.reach();
+    if (std::max(begin, end) + reach < lowest_ || std::min(begin, end) - reach > highest_)
       return;
     // so short that the middle stands for it to 1e-9, and a difference would lose digits
-    const bool is_short = std::abs(end - begin) < 1.0e-4 * m_function.width();
-    for (std::size_t n = 0; n < m_abscissae.size(); ++n) {
-      const double z = m_abscissae[n];
-      const double mean = is_short ? m_function.over_plane(0.5 * (begin + end) - z)
-                                   : m_function.between_planes(begin - z, end - z) / (end - begin);
+    const bool is_short = std::abs(end - begin) < 1.0e-4 * function_.width();
+    for (std::size_t n = 0; n < abscissae_.size(); ++n) {
+      const double z = abscissae_[n];
+      const double mean = is_short ? function_.over_plane(0.5 * (begin + end) - z)
+                                   : function_.between_planes(begin - z, end - z) / (end - begin);
       if (mean > 0.0)
-        add_to(m_sums[n], factor * mean, source, range);
+        add_to(sums_[n], factor * mean, source, range);
     }
   }
 
-  std::size_t m_axis;
-  std::vector<double> m_abscissae;
-  std::optional<Box> m_section;
-  CoarseGrainingFunction m_function;
-  PeriodicCell m_cell;
-  std::vector<FieldSums> m_sums;
-  double m_area = 1.0, m_lowest = 0.0, m_highest = 0.0;
-  std::vector<Vector3> m_shifts;
+  std::size_t axis_;
+  std::vector<double> abscissae_;
+  std::optional<Box> section_;
+  CoarseGrainingFunction function_;
+  PeriodicCell cell_;
+  std::vector<FieldSums> sums_;
+  double area_ = 1.0, lowest_ = 0.0, highest_ = 0.0;
+  std::vector<Vector3> shifts_;
 };
 
 } // namespace

@@ -7,12 +7,12 @@ namespace ellipsoid::post {
 
 FlowProfile::FlowProfile(const Vector3& middle, const std::optional<Vector3>& along, double begin,
                          double end, std::size_t count)
-    : m_middle(middle), m_along(along), m_begin(begin),
-      m_width((end - begin) / static_cast<double>(count)), m_sums(count) {
+    : middle_(middle), along_(along), begin_(begin),
+      width_((end - begin) / static_cast<double>(count)), sums_(count) {
   for (std::size_t k = 0; k < count; ++k) {
-    FlowBin& bin = m_sums[k];
-    bin.begin = begin + m_width * static_cast<double>(k);
-    bin.end = begin + m_width * static_cast<double>(k + 1);
+    FlowBin& bin = sums_[k];
+    bin.begin = begin + width_ * static_cast<double>(k);
+    bin.end = begin + width_ * static_cast<double>(k + 1);
     if (!along)
       bin.area = M_PI * (bin.end * bin.end - bin.begin * bin.begin);
   }
@@ -29,13 +29,13 @@ FlowProfile FlowProfile::strips(const Vector3& along, double begin, double end, 
 void FlowProfile::add(const std::vector<Passage>& passages, double duration) {
   for (const Passage& passage : passages) {
     const double coordinate =
-        m_along ? dot(*m_along, passage.position) : norm(passage.position - m_middle);
-    const double number = std::floor((coordinate - m_begin) / m_width);
-    if (!(number >= 0.0 && number < static_cast<double>(m_sums.size()))) {
-      ++m_beyond;
+        along_ ? dot(*along_, passage.position) : norm(passage.position - middle_);
+    const double number = std::floor((coordinate - begin_) / width_);
+    if (!(number >= 0.0 && number < static_cast<double>(sums_.size()))) {
+      ++beyond_;
       continue;
     }
-    FlowBin& bin = m_sums[static_cast<std::size_t>(number)];
+    FlowBin& bin = sums_[static_cast<std::size_t>(number)];
     const Vector3 velocity = (1.0 / duration) * passage.way;
     const double speed = dot(velocity, passage.normal);
     (passage.is_forward ? bin.forward : bin.backward) += 1;
@@ -48,7 +48,7 @@ void FlowProfile::add(const std::vector<Passage>& passages, double duration) {
 }
 
 std::vector<FlowBin> FlowProfile::bins() const {
-  std::vector<FlowBin> means = m_sums;
+  std::vector<FlowBin> means = sums_;
   for (FlowBin& bin : means)
     for (double* sum : {&bin.speed, &bin.speed_square, &bin.across})
       *sum = bin.mass > 0.0 ? *sum / bin.mass : 0.0;

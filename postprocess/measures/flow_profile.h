@@ -32,17 +32,17 @@ class FlowProfile {
   void add(const std::vector<Passage>& passages, double duration);
   /// With the means made.
   std::vector<FlowBin> bins() const;
-  std::size_t beyond() const { return m_beyond; }
+  std::size_t beyond() const { return beyond_; }
 
  private:
   FlowProfile(const Vector3& middle, const std::optional<Vector3>& along, double begin, double end,
               std::size_t count);
 
-  Vector3 m_middle;
-  std::optional<Vector3> m_along;
-  double m_begin, m_width;
-  std::size_t m_beyond = 0;
-  std::vector<FlowBin> m_sums; ///< means not divided yet
+  Vector3 middle_;
+  std::optional<Vector3> along_;
+  double begin_, width_;
+  std::size_t beyond_ = 0;
+  std::vector<FlowBin> sums_; ///< means not divided yet
 };
 
 } // namespace ellipsoid::post

@@ -76,13 +76,13 @@ void FlowThrough::move(const Particle& particle, const State& before, const Stat
                        const PeriodicCell& cell, FlowStep& step) const {
   const Vector3 straight = particle.centre - before.centre, way = cell.nearest(straight);
   const Vector3 around = straight - way; // the box, from the image at the end to that at the start
-  std::vector<GateCrossing> passed = crossings(m_gate, particle.centre - way, particle.centre);
+  std::vector<GateCrossing> passed = crossings(gate_, particle.centre - way, particle.centre);
   constexpr double rounding = 1.0e-9; // of a length
   const bool goes_around = norm(around) > rounding * norm(straight);
-  const bool leaves_plane = std::abs(dot(around, m_gate.normal)) > rounding * norm(around);
-  const bool is_bounded = m_gate.radius || !m_gate.triangles.empty();
+  const bool leaves_plane = std::abs(dot(around, gate_.normal)) > rounding * norm(around);
+  const bool is_bounded = gate_.radius || !gate_.triangles.empty();
   if (goes_around && (leaves_plane || is_bounded)) // the gate may be at the other image
-    for (const GateCrossing& other : crossings(m_gate, before.centre, before.centre + way))
+    for (const GateCrossing& other : crossings(gate_, before.centre, before.centre + way))
       passed.push_back(other);
   if (goes_around && leaves_plane)
     step.volume_share_mass.reset();
@@ -100,14 +100,14 @@ void FlowThrough::move(const Particle& particle, const State& before, const Stat
     step.passages.push_back(
         {particle.id, net > 0, mass, last->share, last->position, last->normal, way});
   }
-  if (step.volume_share_mass && (m_gate.holds(particle.centre) || m_gate.holds(before.centre)))
+  if (step.volume_share_mass && (gate_.holds(particle.centre) || gate_.holds(before.centre)))
     *step.volume_share_mass += mass * (now.beyond - before.beyond);
 }
 
 std::optional<FlowStep> FlowThrough::advance(const ParticleSet& set, const PeriodicCell& cell,
                                              const std::optional<double>& density) {
   FlowStep step;
-  if (m_gate.triangles.empty())
+  if (gate_.triangles.empty())
     step.volume_share_mass = 0.0;
   std::map<std::int64_t, State> states;
   for (const Particle& p : set.particles) {
@@ -117,22 +117,22 @@ std::optional<FlowStep> FlowThrough::advance(const ParticleSet& set, const Perio
       throw InputError("a flow needs a column \"mass\" with masses > 0, or --density");
     const double mass = density ? *density * body_volume(set, p) : p.mass;
     State state{p.centre, 0.0};
-    if (m_gate.triangles.empty())
-      state.beyond = share_beyond(set, p, m_gate.point, m_gate.normal);
-    if (const auto before = m_states.find(p.id); before != m_states.end()) {
+    if (gate_.triangles.empty())
+      state.beyond = share_beyond(set, p, gate_.point, gate_.normal);
+    if (const auto before = states_.find(p.id); before != states_.end()) {
       move(p, before->second, state, mass, cell, step);
-      m_states.erase(before);
+      states_.erase(before);
     } else {
       ++step.appeared;
       step.fresh.push_back(p.id);
     }
     states[p.id] = state;
   }
-  step.vanished = m_states.size();
-  m_states = std::move(states);
-  if (m_has_frame)
+  step.vanished = states_.size();
+  states_ = std::move(states);
+  if (has_frame_)
     return step;
-  m_has_frame = true;
+  has_frame_ = true;
   return {};
 }
 

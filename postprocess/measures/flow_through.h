@@ -46,7 +46,7 @@ double share_beyond(const ParticleSet& set, const Particle& particle, const Vect
 /// half of an edge that repeats.
 class FlowThrough {
  public:
-  explicit FlowThrough(FlowGate gate) : m_gate(std::move(gate)) {}
+  explicit FlowThrough(FlowGate gate) : gate_(std::move(gate)) {}
 
   /// The next frame. The first one gives nothing.
   /// Throws InputError without masses, where `density` is none.
@@ -61,9 +61,9 @@ class FlowThrough {
   void move(const Particle& particle, const State& before, const State& now, double mass,
             const PeriodicCell& cell, FlowStep& step) const;
 
-  FlowGate m_gate;
-  bool m_has_frame = false;
-  std::map<std::int64_t, State> m_states;
+  FlowGate gate_;
+  bool has_frame_ = false;
+  std::map<std::int64_t, State> states_;
 };
 
 } // namespace ellipsoid::post

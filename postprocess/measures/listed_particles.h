@@ -18,8 +18,8 @@ class ListedParticles {
   std::size_t at(const std::string& column, std::size_t row) const;
 
  private:
-  const Frame& m_list;
-  std::unordered_map<double, std::size_t> m_index_of_id;
+  const Frame& list_;
+  std::unordered_map<double, std::size_t> index_of_id_;
 };
 
 /// Three columns of a list as vectors; none where they are not named.
@@ -30,7 +30,7 @@ class ListedVectors {
   std::optional<Vector3> at(std::size_t row) const;
 
  private:
-  VectorColumns m_columns;
+  VectorColumns columns_;
 };
 
 } // namespace ellipsoid::post

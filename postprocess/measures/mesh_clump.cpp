@@ -48,25 +48,25 @@ class Voxels {
     const Vector3 size = solid.box.upper - solid.box.lower;
     const double width = std::max({size.x, size.y, size.z}) / along;
     const Vector3 margin = rim_voxels * Vector3{width, width, width};
-    m_grid = columns_over(solid.box, {solid.box.lower - margin, solid.box.upper + margin},
-                          static_cast<int>(std::ceil(std::max(size.x, size.y) / width - 1e-9)));
+    grid_ = columns_over(solid.box, {solid.box.lower - margin, solid.box.upper + margin},
+                         static_cast<int>(std::ceil(std::max(size.x, size.y) / width - 1e-9)));
     const int inside = static_cast<int>(std::ceil(size.z / width - 1e-9));
-    m_width_z = size.z / inside;
-    m_nz = inside + 2 * rim_voxels;
-    m_z0 = solid.box.lower.z - rim_voxels * m_width_z;
-    const SolidColumns columns = solid.columns(m_grid);
-    m_uncovered.resize(columns.size() * static_cast<std::size_t>(m_nz), false);
+    width_z_ = size.z / inside;
+    nz_ = inside + 2 * rim_voxels;
+    z0_ = solid.box.lower.z - rim_voxels * width_z_;
+    const SolidColumns columns = solid.columns(grid_);
+    uncovered_.resize(columns.size() * static_cast<std::size_t>(nz_), false);
     for (std::size_t c = 0; c < columns.size(); ++c)
       for (const ColumnPart& part : columns[c])
-        for (int k = 0; k < m_nz; ++k)
+        for (int k = 0; k < nz_; ++k)
           if (z(k) > part.from && z(k) < part.to)
-            m_uncovered[c * static_cast<std::size_t>(m_nz) + static_cast<std::size_t>(k)] = true;
+            uncovered_[c * static_cast<std::size_t>(nz_) + static_cast<std::size_t>(k)] = true;
   }
 
-  double z(int k) const { return m_z0 + (k + 0.5) * m_width_z; }
-  const ColumnGrid& grid() const { return m_grid; }
-  int nz() const { return m_nz; }
-  bool is_uncovered(std::size_t voxel) const { return m_uncovered[voxel]; }
+  double z(int k) const { return z0_ + (k + 0.5) * width_z_; }
+  const ColumnGrid& grid() const { return grid_; }
+  int nz() const { return nz_; }
+  bool is_uncovered(std::size_t voxel) const { return uncovered_[voxel]; }
 
   int count_uncovered(const Ball& ball) const {
     int count = 0;
@@ -74,27 +74,27 @@ class Voxels {
     return count;
   }
   void cover(const Ball& ball) {
-    for_each_uncovered(ball, [this](std::size_t voxel) { m_uncovered[voxel] = false; });
+    for_each_uncovered(ball, [this](std::size_t voxel) { uncovered_[voxel] = false; });
   }
 
   std::size_t index(int i, int j, int k) const {
     return (static_cast<std::size_t>(i) +
-            static_cast<std::size_t>(m_grid.nx) * static_cast<std::size_t>(j)) *
-               static_cast<std::size_t>(m_nz) +
+            static_cast<std::size_t>(grid_.nx) * static_cast<std::size_t>(j)) *
+               static_cast<std::size_t>(nz_) +
            static_cast<std::size_t>(k);
   }
 
  private:
   template <class Visit> void for_each_uncovered(const Ball& ball, const Visit& visit) const {
-    const auto [i0, i1] = range(ball.centre.x, ball.radius, m_grid.x0, m_grid.width_x, m_grid.nx);
-    const auto [j0, j1] = range(ball.centre.y, ball.radius, m_grid.y0, m_grid.width_y, m_grid.ny);
-    const auto [k0, k1] = range(ball.centre.z, ball.radius, m_z0, m_width_z, m_nz);
+    const auto [i0, i1] = range(ball.centre.x, ball.radius, grid_.x0, grid_.width_x, grid_.nx);
+    const auto [j0, j1] = range(ball.centre.y, ball.radius, grid_.y0, grid_.width_y, grid_.ny);
+    const auto [k0, k1] = range(ball.centre.z, ball.radius, z0_, width_z_, nz_);
     for (int j = j0; j < j1; ++j)
       for (int i = i0; i < i1; ++i)
         for (int k = k0; k < k1; ++k) {
           const std::size_t voxel = index(i, j, k);
-          const Vector3 apart = Vector3{m_grid.x(i), m_grid.y(j), z(k)} - ball.centre;
-          if (m_uncovered[voxel] && dot(apart, apart) < ball.radius * ball.radius)
+          const Vector3 apart = Vector3{grid_.x(i), grid_.y(j), z(k)} - ball.centre;
+          if (uncovered_[voxel] && dot(apart, apart) < ball.radius * ball.radius)
             visit(voxel);
         }
   }
@@ -104,10 +104,10 @@ class Voxels {
             std::clamp(static_cast<int>((centre + radius - begin) / w + 1.5), 0, count)};
   }
 
-  ColumnGrid m_grid;
-  int m_nz = 0;
-  double m_z0 = 0.0, m_width_z = 0.0;
-  std::vector<bool> m_uncovered;
+  ColumnGrid grid_;
+  int nz_ = 0;
+  double z0_ = 0.0, width_z_ = 0.0;
+  std::vector<bool> uncovered_;
 };
 
 bool touches(const Ball& ball, const SphereSet& placed) {
@@ -196,19 +196,18 @@ Solid solid_of(const std::vector<Triangle3>& triangles,
 } // namespace
 
 MeshClumps::MeshClumps(std::vector<Triangle3> closed_triangles)
-    : m_triangles(std::move(closed_triangles)),
-      m_tree(std::make_shared<const TriangleTree>(m_triangles)),
-      m_solid(solid_of(m_triangles, m_tree)) {
+    : triangles_(std::move(closed_triangles)),
+      tree_(std::make_shared<const TriangleTree>(triangles_)), solid_(solid_of(triangles_, tree_)) {
   std::vector<Ball> balls;
-  const double size = norm(m_solid.box.upper - m_solid.box.lower);
-  for (const MeshPoint& point : mesh_points(m_triangles, ball_candidates)) {
-    const Ball ball = shrunken_ball(*m_tree, point, size);
+  const double size = norm(solid_.box.upper - solid_.box.lower);
+  for (const MeshPoint& point : mesh_points(triangles_, ball_candidates)) {
+    const Ball ball = shrunken_ball(*tree_, point, size);
     if (ball.radius > 1e-6 * size)
       balls.push_back(ball);
   }
-  Voxels voxels(m_solid, voxels_along);
-  m_balls = ordered_by_gain(balls, voxels);
-  if (m_balls.count() == 0)
+  Voxels voxels(solid_, voxels_along);
+  balls_ = ordered_by_gain(balls, voxels);
+  if (balls_.count() == 0)
     throw InputError(
         "the surface holds no ball of the size of 1/64 of the body; give a thicker body");
 }
@@ -221,11 +220,11 @@ SphereSet MeshClumps::spheres(int count, SphereSpacing spacing) const {
     throw InputError(fmt::format("{} spheres; allowed are 1 to {}, of which each adds some volume: "
                                  "choose a number in this range",
                                  count, largest_count()));
-  SphereSet set = m_balls;
+  SphereSet set = balls_;
   set.centres.resize(static_cast<std::size_t>(count));
   set.radii.resize(static_cast<std::size_t>(count));
   if (spacing == SphereSpacing::minimax_volume) {
-    const double growth = best_growth(set, m_solid);
+    const double growth = best_growth(set, solid_);
     for (double& radius : set.radii)
       radius += growth;
   }
@@ -234,7 +233,7 @@ SphereSet MeshClumps::spheres(int count, SphereSpacing spacing) const {
 
 int MeshClumps::count_for(double tolerance, SphereSpacing spacing) const {
   const auto is_enough = [&](int count, int columns) {
-    return share_in_exactly_one(spheres(count, spacing), m_solid, columns) <= tolerance;
+    return share_in_exactly_one(spheres(count, spacing), solid_, columns) <= tolerance;
   };
   int low = 0, high = 1;
   while (high < largest_count() && !is_enough(high, search_columns)) {

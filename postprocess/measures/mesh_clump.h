@@ -21,9 +21,9 @@ class MeshClumps {
  public:
   explicit MeshClumps(std::vector<Triangle3> closed_triangles);
 
-  const Solid& solid() const { return m_solid; }
+  const Solid& solid() const { return solid_; }
   /// How many balls add volume, on the grid on which volume is counted.
-  int largest_count() const { return m_balls.count(); }
+  int largest_count() const { return balls_.count(); }
 
   /// The first `count` balls. With spacing `minimax_volume` all radii grow by one length, so that
   /// the volume in exactly one of body and spheres is smallest.
@@ -34,10 +34,10 @@ class MeshClumps {
   int count_for(double tolerance, SphereSpacing spacing) const;
 
  private:
-  std::vector<Triangle3> m_triangles;
-  std::shared_ptr<const TriangleTree> m_tree;
-  Solid m_solid;
-  SphereSet m_balls;
+  std::vector<Triangle3> triangles_;
+  std::shared_ptr<const TriangleTree> tree_;
+  Solid solid_;
+  SphereSet balls_;
 };
 
 } // namespace ellipsoid::post

@@ -48,21 +48,21 @@ struct Sums {
 /// the box's corner.
 class Cells {
  public:
-  Cells(const PeriodicCell& cell, double size) : m_cell(cell) {
+  Cells(const PeriodicCell& cell, double size) : cell_(cell) {
     for (std::size_t k = 0; k < 3; ++k) {
       const double parts = cell.thickness(k) / size;
-      m_parts[k] = cell.is_periodic(k) ? std::max(1.0, std::round(parts)) : parts;
+      parts_[k] = cell.is_periodic(k) ? std::max(1.0, std::round(parts)) : parts;
     }
   }
   std::array<std::int64_t, 3> of(const Vector3& point) const {
-    const Vector3 f = m_cell.fractions(m_cell.wrapped(point));
-    return {number(f.x * m_parts[0]), number(f.y * m_parts[1]), number(f.z * m_parts[2])};
+    const Vector3 f = cell_.fractions(cell_.wrapped(point));
+    return {number(f.x * parts_[0]), number(f.y * parts_[1]), number(f.z * parts_[2])};
   }
 
  private:
   static std::int64_t number(double x) { return static_cast<std::int64_t>(std::floor(x)); }
-  const PeriodicCell& m_cell;
-  std::array<double, 3> m_parts{};
+  const PeriodicCell& cell_;
+  std::array<double, 3> parts_{};
 };
 
 /// The variances and the indices made of them, from sums over cells.

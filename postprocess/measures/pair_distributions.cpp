@@ -29,9 +29,9 @@ class RegionSeen {
     if (cell.is_tilted() && !is_whole)
       throw InputError("pairs in a tilted box need a box that is periodic along x, y and z");
     if (is_whole) {
-      m_volume = cell.volume();
+      volume_ = cell.volume();
       for (std::size_t k = 0; k < 3; ++k)
-        m_farthest = std::min(m_farthest, 0.5 * cell.thickness(k));
+        farthest_ = std::min(farthest_, 0.5 * cell.thickness(k));
       return;
     }
     Vector3 low = centres.front(), high = low;
@@ -42,30 +42,30 @@ class RegionSeen {
     const double extents[3] = {high.x - low.x, high.y - low.y, high.z - low.z};
     for (std::size_t k = 0; k < 3; ++k) {
       const double length = cell.is_periodic(k) ? cell.thickness(k) : extents[k];
-      m_volume *= length;
-      m_farthest = std::min(m_farthest, cell.is_periodic(k) ? 0.5 * length : length);
+      volume_ *= length;
+      farthest_ = std::min(farthest_, cell.is_periodic(k) ? 0.5 * length : length);
       if (!cell.is_periodic(k))
-        m_open_edges.push_back(length);
+        open_edges_.push_back(length);
     }
   }
-  double volume() const { return m_volume; }
-  double farthest() const { return m_farthest; }
+  double volume() const { return volume_; }
+  double farthest() const { return farthest_; }
   double at(double r) const {
     constexpr double mean_one = 0.5, mean_two = 2.0 / (3.0 * M_PI), mean_three = 1.0 / (4.0 * M_PI);
     double first = 0.0, second = 0.0, third = 0.0; // sums of products of r / L
-    if (m_open_edges.size() == 3)
-      third = r * r * r / (m_open_edges[0] * m_open_edges[1] * m_open_edges[2]);
-    for (std::size_t k = 0; k < m_open_edges.size(); ++k) {
-      first += r / m_open_edges[k];
+    if (open_edges_.size() == 3)
+      third = r * r * r / (open_edges_[0] * open_edges_[1] * open_edges_[2]);
+    for (std::size_t k = 0; k < open_edges_.size(); ++k) {
+      first += r / open_edges_[k];
       for (std::size_t l = 0; l < k; ++l)
-        second += r * r / (m_open_edges[k] * m_open_edges[l]);
+        second += r * r / (open_edges_[k] * open_edges_[l]);
     }
-    return m_volume * (1.0 - mean_one * first + mean_two * second - mean_three * third);
+    return volume_ * (1.0 - mean_one * first + mean_two * second - mean_three * third);
   }
 
  private:
-  double m_volume = 1.0, m_farthest = 1.0e300;
-  std::vector<double> m_open_edges; ///< lengths of the edges that do not repeat
+  double volume_ = 1.0, farthest_ = 1.0e300;
+  std::vector<double> open_edges_; ///< lengths of the edges that do not repeat
 };
 
 EllipsoidShape ball(double radius) { return make_shape({radius, radius, radius}, {}); }

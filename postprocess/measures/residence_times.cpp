@@ -4,14 +4,14 @@
 namespace ellipsoid::post {
 
 std::optional<double> ResidenceTimes::leave(std::int64_t id, double time) {
-  const auto entered = m_entered.find(id);
-  if (entered == m_entered.end()) {
-    ++m_unknown;
+  const auto entered = entered_.find(id);
+  if (entered == entered_.end()) {
+    ++unknown_;
     return {};
   }
-  m_times.push_back(time - entered->second);
-  m_entered.erase(entered);
-  return m_times.back();
+  times_.push_back(time - entered->second);
+  entered_.erase(entered);
+  return times_.back();
 }
 
 } // namespace ellipsoid::post

@@ -21,21 +21,21 @@ Vector3 rotation_between(const Quaternion& p, const Quaternion& q) {
 
 void Trajectories::add(const ParticleSet& set, const PeriodicCell& cell) {
   move(set, cell);
-  for (const Origin& origin : m_origins)
+  for (const Origin& origin : origins_)
     compare(origin);
-  if (m_frame % m_apart == 0 && m_origins.size() < m_most) {
-    m_origins.push_back({m_frame, m_states});
-    compare(m_origins.back());
+  if (frame_ % apart_ == 0 && origins_.size() < most_) {
+    origins_.push_back({frame_, states_});
+    compare(origins_.back());
   }
-  ++m_frame;
+  ++frame_;
 }
 
 void Trajectories::move(const ParticleSet& set, const PeriodicCell& cell) {
   for (const Particle& p : set.particles) {
-    const auto [entry, is_new] = m_states.try_emplace(p.id);
+    const auto [entry, is_new] = states_.try_emplace(p.id);
     State& state = entry->second;
     // one that was away for a while begins anew: its way in between is not known
-    if (is_new || state.last_seen + 1 != m_frame) {
+    if (is_new || state.last_seen + 1 != frame_) {
       state = State{};
     } else {
       state.way += cell.nearest(p.centre - state.centre);
@@ -44,20 +44,20 @@ void Trajectories::move(const ParticleSet& set, const PeriodicCell& cell) {
     state.centre = p.centre;
     state.orientation = p.orientation;
     state.direction = axes_by_length(p)[0];
-    state.last_seen = m_frame;
+    state.last_seen = frame_;
   }
-  for (auto entry = m_states.begin(); entry != m_states.end();)
-    entry = entry->second.last_seen == m_frame ? std::next(entry) : m_states.erase(entry);
+  for (auto entry = states_.begin(); entry != states_.end();)
+    entry = entry->second.last_seen == frame_ ? std::next(entry) : states_.erase(entry);
 }
 
 /// Both walk through their ids in ascending order.
 void Trajectories::compare(const Origin& origin) {
-  LagMeans& sums = m_sums[m_frame - origin.frame];
-  auto now = m_states.begin();
+  LagMeans& sums = sums_[frame_ - origin.frame];
+  auto now = states_.begin();
   for (const auto& [id, then] : origin.states) {
-    while (now != m_states.end() && now->first < id)
+    while (now != states_.end() && now->first < id)
       ++now;
-    if (now == m_states.end())
+    if (now == states_.end())
       return;
     if (now->first != id)
       continue;
@@ -73,7 +73,7 @@ void Trajectories::compare(const Origin& origin) {
 }
 
 LagMeans Trajectories::means(std::size_t lag) const {
-  LagMeans m = m_sums.at(lag);
+  LagMeans m = sums_.at(lag);
   if (m.pairs == 0)
     return m;
   const double share = 1.0 / static_cast<double>(m.pairs);

@@ -29,19 +29,19 @@ class Trajectories {
  public:
   /// @param[in] origins frames kept to compare with, the first ones
   /// @param[in] apart frames from one origin to the next
-  Trajectories(std::size_t origins, std::size_t apart) : m_most(origins), m_apart(apart) {}
+  Trajectories(std::size_t origins, std::size_t apart) : most_(origins), apart_(apart) {}
 
   /// The next frame; the cell is that of the frame.
   void add(const ParticleSet& set, const PeriodicCell& cell);
 
   /// Means by the number of frames between origin and frame.
-  const std::map<std::size_t, LagMeans>& sums() const { return m_sums; }
+  const std::map<std::size_t, LagMeans>& sums() const { return sums_; }
   /// Means of one lag.
   LagMeans means(std::size_t lag) const;
 
   /// Way of a particle since it was first seen (length).
-  Vector3 way(std::int64_t id) const { return m_states.at(id).way; }
-  Vector3 rotation_vector(std::int64_t id) const { return m_states.at(id).angle; }
+  Vector3 way(std::int64_t id) const { return states_.at(id).way; }
+  Vector3 rotation_vector(std::int64_t id) const { return states_.at(id).angle; }
 
  private:
   struct State {
@@ -59,10 +59,10 @@ class Trajectories {
   void move(const ParticleSet& set, const PeriodicCell& cell);
   void compare(const Origin& origin);
 
-  std::size_t m_most, m_apart, m_frame = 0;
-  std::map<std::int64_t, State> m_states;
-  std::vector<Origin> m_origins;
-  std::map<std::size_t, LagMeans> m_sums;
+  std::size_t most_, apart_, frame_ = 0;
+  std::map<std::int64_t, State> states_;
+  std::vector<Origin> origins_;
+  std::map<std::size_t, LagMeans> sums_;
 };
 
 /// The vector of the rotation from p to q: axis times angle, at most half a turn (rad).

@@ -100,49 +100,49 @@ std::vector<ViewColumn> view_columns(const Frame& frame, const ParticleSet& set,
 }
 
 ColumnRange::ColumnRange(const ViewColumn& column)
-    : m_name(column.name), m_unit(column.unit), m_is_cyclic(column.is_cyclic),
-      m_low(std::numeric_limits<double>::infinity()), m_high(-m_low) {}
+    : name_(column.name), unit_(column.unit), is_cyclic_(column.is_cyclic),
+      low_(std::numeric_limits<double>::infinity()), high_(-low_) {}
 
 void ColumnRange::add(const std::vector<double>& values) {
   for (const double value : values) {
     if (!std::isfinite(value))
       continue;
-    m_low = std::min(m_low, value);
-    m_high = std::max(m_high, value);
-    m_are_kinds = m_are_kinds && value == std::floor(value);
-    if (m_are_kinds)
-      m_kinds.insert(value);
-    m_are_kinds = m_are_kinds && m_kinds.size() <= most_kinds;
-    if (m_seen++ % m_stride == 0)
-      m_samples.push_back(value);
-    if (m_samples.size() == most_samples) { // every other one is kept from now on
-      for (std::size_t k = 0; 2 * k < m_samples.size(); ++k)
-        m_samples[k] = m_samples[2 * k];
-      m_samples.resize(most_samples / 2);
-      m_stride *= 2;
+    low_ = std::min(low_, value);
+    high_ = std::max(high_, value);
+    are_kinds_ = are_kinds_ && value == std::floor(value);
+    if (are_kinds_)
+      kinds_.insert(value);
+    are_kinds_ = are_kinds_ && kinds_.size() <= most_kinds;
+    if (seen_++ % stride_ == 0)
+      samples_.push_back(value);
+    if (samples_.size() == most_samples) { // every other one is kept from now on
+      for (std::size_t k = 0; 2 * k < samples_.size(); ++k)
+        samples_[k] = samples_[2 * k];
+      samples_.resize(most_samples / 2);
+      stride_ *= 2;
     }
   }
 }
 
 std::pair<double, double> ColumnRange::shown() const {
-  if (m_is_cyclic)
+  if (is_cyclic_)
     return {0.0, 180.0};
-  if (m_samples.empty() || !(m_low < m_high))
-    return {m_low, m_low + 1.0};
-  std::vector<double> sorted = m_samples;
+  if (samples_.empty() || !(low_ < high_))
+    return {low_, low_ + 1.0};
+  std::vector<double> sorted = samples_;
   std::sort(sorted.begin(), sorted.end());
   const double low = sorted[sorted.size() / 100],
                high = sorted[sorted.size() - 1 - sorted.size() / 100];
-  return high - low < 0.5 * (m_high - m_low) && low < high ? std::pair(low, high)
-                                                           : std::pair(m_low, m_high);
+  return high - low < 0.5 * (high_ - low_) && low < high ? std::pair(low, high)
+                                                         : std::pair(low_, high_);
 }
 
 std::uint16_t ColumnRange::code_of(double value) const {
   if (!std::isfinite(value))
     return missing;
   if (is_of_kinds())
-    return static_cast<std::uint16_t>(std::distance(m_kinds.begin(), m_kinds.find(value)));
-  const double share = m_high > m_low ? (value - m_low) / (m_high - m_low) : 0.0;
+    return static_cast<std::uint16_t>(std::distance(kinds_.begin(), kinds_.find(value)));
+  const double share = high_ > low_ ? (value - low_) / (high_ - low_) : 0.0;
   return static_cast<std::uint16_t>(std::lround(share * largest_code));
 }
 

@@ -32,14 +32,14 @@ class ColumnRange {
   explicit ColumnRange(const ViewColumn& column);
   void add(const std::vector<double>& values);
 
-  const std::string& name() const { return m_name; }
-  const std::string& unit() const { return m_unit; }
-  bool is_cyclic() const { return m_is_cyclic; }
+  const std::string& name() const { return name_; }
+  const std::string& unit() const { return unit_; }
+  bool is_cyclic() const { return is_cyclic_; }
   /// Few different whole numbers: kinds, not amounts.
-  bool is_of_kinds() const { return m_are_kinds && !m_kinds.empty(); }
-  std::vector<double> kinds() const { return {m_kinds.begin(), m_kinds.end()}; }
-  double low() const { return m_low; }
-  double high() const { return m_high; }
+  bool is_of_kinds() const { return are_kinds_ && !kinds_.empty(); }
+  std::vector<double> kinds() const { return {kinds_.begin(), kinds_.end()}; }
+  double low() const { return low_; }
+  double high() const { return high_; }
   /// Without the hundredth at each end, where strays would spread the colours too thin.
   std::pair<double, double> shown() const;
 
@@ -51,12 +51,12 @@ class ColumnRange {
  private:
   static constexpr std::size_t most_kinds = 12, most_samples = 100000;
 
-  std::string m_name, m_unit;
-  bool m_is_cyclic, m_are_kinds = true;
-  std::set<double> m_kinds;
-  double m_low, m_high;
-  std::vector<double> m_samples;
-  std::size_t m_seen = 0, m_stride = 1;
+  std::string name_, unit_;
+  bool is_cyclic_, are_kinds_ = true;
+  std::set<double> kinds_;
+  double low_, high_;
+  std::vector<double> samples_;
+  std::size_t seen_ = 0, stride_ = 1;
 };
 
 } // namespace ellipsoid::post

@@ -17,9 +17,9 @@ template <typename Number> void PackedColumns::append(const std::vector<Number>&
     Bits bits;
     std::memcpy(&bits, &number, sizeof(bits));
     for (std::size_t k = 0; k < sizeof(bits); ++k)
-      m_bytes += static_cast<char>(bits >> (8 * k) & 0xffu);
+      bytes_ += static_cast<char>(bits >> (8 * k) & 0xffu);
   }
-  m_bytes.resize((m_bytes.size() + 3) / 4 * 4);
+  bytes_.resize((bytes_.size() + 3) / 4 * 4);
 }
 
 template void PackedColumns::append(const std::vector<std::uint16_t>&);
@@ -27,11 +27,11 @@ template void PackedColumns::append(const std::vector<std::uint32_t>&);
 template void PackedColumns::append(const std::vector<float>&);
 
 std::string PackedColumns::text() const {
-  uLongf size = compressBound(static_cast<uLong>(m_bytes.size()));
+  uLongf size = compressBound(static_cast<uLong>(bytes_.size()));
   std::string packed(size, '\0');
   if (compress(reinterpret_cast<unsigned char*>(packed.data()), &size,
-               reinterpret_cast<const unsigned char*>(m_bytes.data()),
-               static_cast<uLong>(m_bytes.size())) != Z_OK)
+               reinterpret_cast<const unsigned char*>(bytes_.data()),
+               static_cast<uLong>(bytes_.size())) != Z_OK)
     throw InputError("the view cannot be compressed: not enough memory; choose fewer frames");
   packed.resize(size);
   return base64(packed);

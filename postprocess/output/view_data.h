@@ -23,7 +23,7 @@ class PackedColumns {
   std::string text() const;
 
  private:
-  std::string m_bytes;
+  std::string bytes_;
 
   template <typename Number> void append(const std::vector<Number>& column);
 };

@@ -106,49 +106,49 @@ std::string script_safe(std::string text) {
 void ViewSurvey::add(const Frame& frame, const ParticleSet& set) {
   constexpr std::size_t most_templates = 10000;
   for (const Particle& p : set.particles) {
-    if (m_bodies.empty()) {
-      m_plane = p.centre.z;
-      m_smallest_axis = p.smallest_axis();
+    if (bodies_.empty()) {
+      plane_ = p.centre.z;
+      smallest_axis_ = p.smallest_axis();
       for (unsigned k = 0; k < 3; ++k)
-        m_bounds.lower[k] = m_bounds.upper[k] = component(p.centre, k);
+        bounds_.lower[k] = bounds_.upper[k] = component(p.centre, k);
     }
     const double reach = p.largest_axis();
     for (unsigned k = 0; k < 3; ++k) {
-      m_bounds.lower[k] = std::min(m_bounds.lower[k], component(p.centre, k) - reach);
-      m_bounds.upper[k] = std::max(m_bounds.upper[k], component(p.centre, k) + reach);
-      m_coordinates[k].add({component(p.centre, k)});
+      bounds_.lower[k] = std::min(bounds_.lower[k], component(p.centre, k) - reach);
+      bounds_.upper[k] = std::max(bounds_.upper[k], component(p.centre, k) + reach);
+      coordinates_[k].add({component(p.centre, k)});
     }
-    m_largest_axis = std::max(m_largest_axis, reach);
-    m_is_planar = m_is_planar && std::abs(p.centre.z - m_plane) <= 1e-6 * reach;
-    m_smallest_axis = std::min(m_smallest_axis, p.smallest_axis());
+    largest_axis_ = std::max(largest_axis_, reach);
+    is_planar_ = is_planar_ && std::abs(p.centre.z - plane_) <= 1e-6 * reach;
+    smallest_axis_ = std::min(smallest_axis_, p.smallest_axis());
     const double number = template_of(set, p);
-    m_bodies.emplace(
+    bodies_.emplace(
         Body{static_cast<double>(p.id), p.semiaxes.x, p.semiaxes.y, p.semiaxes.z, number},
-        static_cast<std::uint32_t>(m_bodies.size()));
-    if (m_templates.size() > most_templates)
+        static_cast<std::uint32_t>(bodies_.size()));
+    if (templates_.size() > most_templates)
       throw InputError(fmt::format("{}: more than {} kinds of bodies of spheres; the file does not "
                                    "tell how its bodies are turned (columns quat1..quat4)",
                                    frame.location.file, most_templates));
   }
   add_columns(frame, set);
-  ++m_frames;
+  ++frames_;
 }
 
 std::vector<std::string> ViewSurvey::column_names() const {
   std::vector<std::string> names;
-  for (const ColumnRange& range : m_columns)
+  for (const ColumnRange& range : columns_)
     names.push_back(range.name());
   return names;
 }
 
 /// The bounds of almost all bodies where strays would make the picture small; else of all.
 Box ViewSurvey::bulk() const {
-  Box bulk = m_bounds;
+  Box bulk = bounds_;
   for (unsigned k = 0; k < 3; ++k) {
-    const auto [low, high] = m_coordinates[k].shown();
-    if (low > m_coordinates[k].low() || high < m_coordinates[k].high()) {
-      bulk.lower[k] = low - m_largest_axis;
-      bulk.upper[k] = high + m_largest_axis;
+    const auto [low, high] = coordinates_[k].shown();
+    if (low > coordinates_[k].low() || high < coordinates_[k].high()) {
+      bulk.lower[k] = low - largest_axis_;
+      bulk.upper[k] = high + largest_axis_;
     }
   }
   return bulk;
@@ -163,44 +163,44 @@ std::uint32_t ViewSurvey::template_of(const ParticleSet& set, const Particle& p)
   for (const float value : spheres)
     key.push_back(std::lround(scale_steps * static_cast<double>(value)));
   const auto [entry, is_new] =
-      m_templates.emplace(std::move(key), static_cast<std::uint32_t>(m_templates.size() + 1));
+      templates_.emplace(std::move(key), static_cast<std::uint32_t>(templates_.size() + 1));
   if (is_new)
-    m_spheres.push_back(std::move(spheres));
+    spheres_.push_back(std::move(spheres));
   return entry->second;
 }
 
 void ViewSurvey::add_columns(const Frame& frame, const ParticleSet& set) {
-  const std::vector<ViewColumn> columns = view_columns(frame, set, m_up);
-  if (m_frames == 0)
+  const std::vector<ViewColumn> columns = view_columns(frame, set, up_);
+  if (frames_ == 0)
     for (const ViewColumn& column : columns)
-      m_columns.emplace_back(column);
+      columns_.emplace_back(column);
   const auto named = [&](const std::string& name) {
     return std::find_if(columns.begin(), columns.end(),
                         [&](const ViewColumn& column) { return column.name == name; });
   };
-  m_columns.erase(std::remove_if(m_columns.begin(), m_columns.end(),
-                                 [&](const ColumnRange& range) {
-                                   return named(range.name()) == columns.end();
-                                 }),
-                  m_columns.end());
-  for (ColumnRange& range : m_columns)
+  columns_.erase(std::remove_if(columns_.begin(), columns_.end(),
+                                [&](const ColumnRange& range) {
+                                  return named(range.name()) == columns.end();
+                                }),
+                 columns_.end());
+  for (ColumnRange& range : columns_)
     range.add(named(range.name())->values);
 }
 
 ViewPage::ViewPage(ViewSurvey survey, ViewSettings settings)
-    : m_survey(std::move(survey)), m_settings(std::move(settings)) {
+    : survey_(std::move(survey)), settings_(std::move(settings)) {
   constexpr double largest_error = 1e-3; ///< of a coordinate, share of the smallest semi-axis
   double longest = 0.0;
   for (unsigned k = 0; k < 3; ++k)
-    longest = std::max(longest, m_survey.m_bounds.upper[k] - m_survey.m_bounds.lower[k]);
-  m_step = longest / 65535.0;
-  m_is_fine = 0.5 * m_step > largest_error * m_survey.m_smallest_axis;
-  if (m_is_fine)
-    m_step = longest / 4294967295.0;
+    longest = std::max(longest, survey_.bounds_.upper[k] - survey_.bounds_.lower[k]);
+  step_ = longest / 65535.0;
+  is_fine_ = 0.5 * step_ > largest_error * survey_.smallest_axis_;
+  if (is_fine_)
+    step_ = longest / 4294967295.0;
 }
 
 std::size_t ViewPage::bytes_per_particle() const {
-  return 4 + (m_is_fine ? 12 : 6) + 6 + 2 * m_survey.m_columns.size();
+  return 4 + (is_fine_ ? 12 : 6) + 6 + 2 * survey_.columns_.size();
 }
 
 /// Number of the body, coordinates and turns of each particle, column by column.
@@ -209,23 +209,23 @@ void ViewPage::pack_bodies(PackedColumns& packed, const Frame& frame, const Part
   std::array<std::vector<std::uint32_t>, 3> coordinates;
   std::array<std::vector<std::uint16_t>, 3> turns;
   for (const Particle& p : set.particles) {
-    const double number = m_survey.template_of(set, p);
-    const auto body = m_survey.m_bodies.find(
+    const double number = survey_.template_of(set, p);
+    const auto body = survey_.bodies_.find(
         {static_cast<double>(p.id), p.semiaxes.x, p.semiaxes.y, p.semiaxes.z, number});
-    if (body == m_survey.m_bodies.end())
+    if (body == survey_.bodies_.end())
       throw InputError(frame.location.file +
                        ": changed while it was read; start again when it is whole");
     bodies.push_back(body->second);
     for (unsigned k = 0; k < 3; ++k)
       coordinates[k].push_back(static_cast<std::uint32_t>(std::llround(
-          (component(p.centre, k) - m_survey.m_bounds.lower[k]) / std::max(m_step, 1e-300))));
+          (component(p.centre, k) - survey_.bounds_.lower[k]) / std::max(step_, 1e-300))));
     const auto turn = packed_quaternion(p.orientation);
     for (unsigned k = 0; k < 3; ++k)
       turns[k].push_back(turn[k]);
   }
   packed.add(bodies);
   for (const auto& column : coordinates)
-    if (m_is_fine)
+    if (is_fine_)
       packed.add(column);
     else
       packed.add(std::vector<std::uint16_t>(column.begin(), column.end()));
@@ -236,8 +236,8 @@ void ViewPage::pack_bodies(PackedColumns& packed, const Frame& frame, const Part
 /// What all frames know of each particle, as codes within the column's range.
 void ViewPage::pack_columns(PackedColumns& packed, const Frame& frame,
                             const ParticleSet& set) const {
-  const std::vector<ViewColumn> columns = view_columns(frame, set, m_survey.m_up);
-  for (const ColumnRange& range : m_survey.m_columns)
+  const std::vector<ViewColumn> columns = view_columns(frame, set, survey_.up_);
+  for (const ColumnRange& range : survey_.columns_)
     for (const ViewColumn& column : columns)
       if (column.name == range.name()) {
         std::vector<std::uint16_t> codes;
@@ -255,7 +255,7 @@ void ViewPage::pack_contacts(PackedColumns& packed, const std::vector<ViewContac
     second.push_back(static_cast<std::uint32_t>(contact.j));
     force.push_back(static_cast<float>(contact.force));
     overlap.push_back(static_cast<float>(contact.overlap));
-    m_largest_force = std::max(m_largest_force, contact.force);
+    largest_force_ = std::max(largest_force_, contact.force);
   }
   packed.add(first);
   packed.add(second);
@@ -274,13 +274,13 @@ void ViewPage::add(const Frame& frame, const ParticleSet& set,
                       {"step", frame.timestep},
                       {"time_text", time_text(frame)},
                       {"box", box_json(set.box)}};
-  m_frames_json += (m_frames ? "," : "") + about.dump();
-  m_data += data_element(fmt::format("frame-{}", m_frames++), packed);
+  frames_json_ += (frames_ ? "," : "") + about.dump();
+  data_ += data_element(fmt::format("frame-{}", frames_++), packed);
 }
 
 std::string ViewPage::columns_json() const {
   json columns = json::array();
-  for (const ColumnRange& range : m_survey.m_columns) {
+  for (const ColumnRange& range : survey_.columns_) {
     json column = {{"name", range.name()},
                    {"unit", range.unit()},
                    {"map", range.is_cyclic() ? "cyclic" : "even"}};
@@ -300,8 +300,8 @@ std::string ViewPage::columns_json() const {
 
 /// Ids, semi-axes and templates of all bodies, in the order of their numbers.
 PackedColumns ViewPage::packed_survey() const {
-  std::vector<ViewSurvey::Body> ordered(m_survey.m_bodies.size());
-  for (const auto& [body, number] : m_survey.m_bodies)
+  std::vector<ViewSurvey::Body> ordered(survey_.bodies_.size());
+  for (const auto& [body, number] : survey_.bodies_)
     ordered[number] = body;
   std::vector<std::uint32_t> low, high, number;
   std::array<std::vector<float>, 3> axes;
@@ -323,45 +323,45 @@ PackedColumns ViewPage::packed_survey() const {
 }
 
 std::string ViewPage::header_json() const {
-  const auto& bounds = m_survey.m_bounds;
-  const Box bulk = m_survey.bulk();
+  const auto& bounds = survey_.bounds_;
+  const Box bulk = survey_.bulk();
   const json position = {
-      {"bytes", m_is_fine ? 4 : 2}, {"origin", bounds.lower}, {"step", {m_step, m_step, m_step}}};
-  const json maps = {{"even", m_settings.even_colours},
-                     {"cyclic", m_settings.cyclic_colours},
-                     {"kinds", m_settings.kind_colours}};
-  const json header = {{"title", m_settings.title},
-                       {"up", m_settings.up == 1 || m_survey.m_is_planar ? "y" : "z"},
-                       {"planar", m_survey.m_is_planar},
-                       {"colour_by", m_settings.colour_by},
+      {"bytes", is_fine_ ? 4 : 2}, {"origin", bounds.lower}, {"step", {step_, step_, step_}}};
+  const json maps = {{"even", settings_.even_colours},
+                     {"cyclic", settings_.cyclic_colours},
+                     {"kinds", settings_.kind_colours}};
+  const json header = {{"title", settings_.title},
+                       {"up", settings_.up == 1 || survey_.is_planar_ ? "y" : "z"},
+                       {"planar", survey_.is_planar_},
+                       {"colour_by", settings_.colour_by},
                        {"length_unit", "length"},
-                       {"bodies", m_survey.m_bodies.size()},
+                       {"bodies", survey_.bodies_.size()},
                        {"bounds", {{"lower", bounds.lower}, {"upper", bounds.upper}}},
                        {"bulk", {{"lower", bulk.lower}, {"upper", bulk.upper}}},
                        {"position", position},
                        {"columns", json::parse(columns_json())},
-                       {"frames", json::parse("[" + m_frames_json + "]")},
-                       {"templates", templates_json(m_survey.m_spheres)},
-                       {"walls", walls_json(m_settings)},
-                       {"cylinders", cylinders_json(m_settings)},
-                       {"meshes", meshes_json(m_settings)},
-                       {"has_contacts", m_settings.has_contacts},
-                       {"has_forces", m_settings.has_forces},
-                       {"largest_force", m_largest_force},
+                       {"frames", json::parse("[" + frames_json_ + "]")},
+                       {"templates", templates_json(survey_.spheres_)},
+                       {"walls", walls_json(settings_)},
+                       {"cylinders", cylinders_json(settings_)},
+                       {"meshes", meshes_json(settings_)},
+                       {"has_contacts", settings_.has_contacts},
+                       {"has_forces", settings_.has_forces},
+                       {"largest_force", largest_force_},
                        {"maps", maps}};
   return header.dump();
 }
 
 std::string ViewPage::html() const {
   std::string data = data_element("bodies", packed_survey());
-  for (std::size_t k = 0; k < m_settings.meshes.size(); ++k) {
+  for (std::size_t k = 0; k < settings_.meshes.size(); ++k) {
     PackedColumns corners;
-    corners.add(m_settings.meshes[k].corners);
+    corners.add(settings_.meshes[k].corners);
     data += data_element(fmt::format("mesh-{}", k), corners);
   }
-  return view_html({{"TITLE", html_safe(m_settings.title)},
+  return view_html({{"TITLE", html_safe(settings_.title)},
                     {"HEADER", script_safe(header_json())},
-                    {"DATA", data + m_data}});
+                    {"DATA", data + data_}});
 }
 
 } // namespace ellipsoid::post

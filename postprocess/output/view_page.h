@@ -54,12 +54,12 @@ struct ViewContact {
 /// What has to be known of all frames before the first one is written.
 class ViewSurvey {
  public:
-  explicit ViewSurvey(unsigned up) : m_up(up) {}
+  explicit ViewSurvey(unsigned up) : up_(up) {}
   /// Throws InputError when the file does not tell how the bodies of spheres are turned.
   void add(const Frame& frame, const ParticleSet& set);
 
-  std::size_t frames() const { return m_frames; }
-  bool is_planar() const { return m_is_planar; }
+  std::size_t frames() const { return frames_; }
+  bool is_planar() const { return is_planar_; }
   std::vector<std::string> column_names() const;
 
  private:
@@ -71,17 +71,17 @@ class ViewSurvey {
   Box bulk() const;
   std::uint32_t template_of(const ParticleSet& set, const Particle& p);
 
-  unsigned m_up;
-  std::size_t m_frames = 0;
-  bool m_is_planar = true;
-  double m_plane = 0.0, m_smallest_axis = 0.0, m_largest_axis = 0.0;
-  std::vector<ColumnRange> m_coordinates =
+  unsigned up_;
+  std::size_t frames_ = 0;
+  bool is_planar_ = true;
+  double plane_ = 0.0, smallest_axis_ = 0.0, largest_axis_ = 0.0;
+  std::vector<ColumnRange> coordinates_ =
       std::vector<ColumnRange>(3, ColumnRange({"coordinate", "", false, {}}));
-  Box m_bounds; ///< of all bodies in all frames
-  std::map<Body, std::uint32_t> m_bodies;
-  std::map<std::vector<long>, std::uint32_t> m_templates; ///< rounded spheres -> number from 1 on
-  std::vector<std::vector<float>> m_spheres;              ///< x y z R in units of the largest axis
-  std::vector<ColumnRange> m_columns;                     ///< those that all frames have
+  Box bounds_; ///< of all bodies in all frames
+  std::map<Body, std::uint32_t> bodies_;
+  std::map<std::vector<long>, std::uint32_t> templates_; ///< rounded spheres -> number from 1 on
+  std::vector<std::vector<float>> spheres_;              ///< x y z R in units of the largest axis
+  std::vector<ColumnRange> columns_;                     ///< those that all frames have
 };
 
 /// The page, frame by frame.
@@ -95,7 +95,7 @@ class ViewPage {
   /// Bytes before compression.
   std::size_t bytes_per_particle() const;
   /// Largest error of a coordinate (length).
-  double position_error() const { return 0.5 * m_step; }
+  double position_error() const { return 0.5 * step_; }
 
  private:
   void pack_bodies(PackedColumns& packed, const Frame& frame, const ParticleSet& set);
@@ -105,13 +105,13 @@ class ViewPage {
   std::string columns_json() const;
   std::string header_json() const;
 
-  ViewSurvey m_survey;
-  ViewSettings m_settings;
-  double m_step;  ///< of coordinates (length)
-  bool m_is_fine; ///< 4 bytes a coordinate instead of 2
-  double m_largest_force = 0.0;
-  std::string m_frames_json, m_data;
-  std::size_t m_frames = 0;
+  ViewSurvey survey_;
+  ViewSettings settings_;
+  double step_;  ///< of coordinates (length)
+  bool is_fine_; ///< 4 bytes a coordinate instead of 2
+  double largest_force_ = 0.0;
+  std::string frames_json_, data_;
+  std::size_t frames_ = 0;
 };
 
 } // namespace ellipsoid::post

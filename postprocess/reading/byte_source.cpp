@@ -15,41 +15,41 @@ namespace {
 
 class PlainFile : public ByteSource {
  public:
-  explicit PlainFile(std::FILE* file) : m_file(file) {}
+  explicit PlainFile(std::FILE* file) : file_(file) {}
   ~PlainFile() override {
-    if (m_file != stdin)
-      std::fclose(m_file);
+    if (file_ != stdin)
+      std::fclose(file_);
   }
   PlainFile(const PlainFile&) = delete;
   PlainFile& operator=(const PlainFile&) = delete;
 
   std::size_t read(char* buffer, std::size_t size) override {
-    const std::size_t got = std::fread(buffer, 1, size, m_file);
-    if (got < size && std::ferror(m_file))
+    const std::size_t got = std::fread(buffer, 1, size, file_);
+    if (got < size && std::ferror(file_))
       throw InputError(fmt::format("a file that cannot be read ({})", std::strerror(errno)));
-    m_consumed += got;
+    consumed_ += got;
     return got;
   }
-  std::uint64_t consumed() const override { return m_consumed; }
+  std::uint64_t consumed() const override { return consumed_; }
 
  private:
-  std::FILE* m_file;
-  std::uint64_t m_consumed = 0;
+  std::FILE* file_;
+  std::uint64_t consumed_ = 0;
 };
 
 class MemoryBytes : public ByteSource {
  public:
-  explicit MemoryBytes(std::string content) : m_content(std::move(content)) {}
+  explicit MemoryBytes(std::string content) : content_(std::move(content)) {}
   std::size_t read(char* buffer, std::size_t size) override {
-    const std::size_t got = m_content.copy(buffer, size, m_offset);
-    m_offset += got;
+    const std::size_t got = content_.copy(buffer, size, offset_);
+    offset_ += got;
     return got;
   }
-  std::uint64_t consumed() const override { return m_offset; }
+  std::uint64_t consumed() const override { return offset_; }
 
  private:
-  std::string m_content;
-  std::size_t m_offset = 0;
+  std::string content_;
+  std::size_t offset_ = 0;
 };
 
 } // namespace
@@ -83,43 +83,43 @@ std::string_view next_token(std::string_view& rest) {
 }
 
 LineReader::LineReader(std::unique_ptr<ByteSource> source, std::string name)
-    : m_source(std::move(source)), m_name(std::move(name)), m_buffer(std::size_t{1} << 18) {}
+    : source_(std::move(source)), name_(std::move(name)), buffer_(std::size_t{1} << 18) {}
 
 bool LineReader::refill() {
-  if (m_broken)
-    throw BrokenLine(*m_broken);
-  if (m_at_end)
+  if (broken_)
+    throw BrokenLine(*broken_);
+  if (at_end_)
     return false;
-  std::memmove(m_buffer.data(), m_buffer.data() + m_begin, m_end - m_begin);
-  m_end -= m_begin;
-  m_begin = 0;
-  if (m_end + 1 == m_buffer.size())
-    m_buffer.resize(2 * m_buffer.size());
+  std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+  end_ -= begin_;
+  begin_ = 0;
+  if (end_ + 1 == buffer_.size())
+    buffer_.resize(2 * buffer_.size());
   std::size_t got = 0;
   try {
-    got = m_source->read(m_buffer.data() + m_end, m_buffer.size() - m_end - 1);
+    got = source_->read(buffer_.data() + end_, buffer_.size() - end_ - 1);
   } catch (const InputError& error) {
-    m_broken.emplace(next_location(), "more data", error.what());
-    throw BrokenLine(*m_broken);
+    broken_.emplace(next_location(), "more data", error.what());
+    throw BrokenLine(*broken_);
   }
-  m_end += got;
-  m_buffer[m_end] = '\n';
-  m_at_end = got == 0;
+  end_ += got;
+  buffer_[end_] = '\n';
+  at_end_ = got == 0;
   return got > 0;
 }
 
 bool LineReader::deliver(std::size_t length, std::size_t skipped, std::string_view& line) {
-  ++m_line_number;
-  line = without_return({m_buffer.data() + m_begin, length});
-  m_begin += length + skipped;
+  ++line_number_;
+  line = without_return({buffer_.data() + begin_, length});
+  begin_ += length + skipped;
   if (!line.empty() && std::memchr(line.data(), '\0', line.size()))
-    throw nul_byte({m_name, m_line_number, 0});
+    throw nul_byte({name_, line_number_, 0});
   return true;
 }
 
 bool LineReader::refill_or_leave_to_next() {
   try {
-    return m_end - m_begin <= longest_line && refill();
+    return end_ - begin_ <= longest_line && refill();
   } catch (const BrokenLine&) {
     return false; // `next` throws it again
   }
@@ -130,8 +130,8 @@ std::size_t LineReader::append_lines(std::size_t most, std::string_view stop, st
   std::size_t lines = 0;
   bool is_stopped = false;
   do {
-    const char* const begin = m_buffer.data() + m_begin;
-    const char* const end = m_buffer.data() + m_end;
+    const char* const begin = buffer_.data() + begin_;
+    const char* const end = buffer_.data() + end_;
     const char* at = begin;
     const std::size_t lines_before = lines;
     while (lines < most) {
@@ -146,8 +146,8 @@ std::size_t LineReader::append_lines(std::size_t most, std::string_view stop, st
       ++lines;
     }
     text.append(begin, at);
-    m_begin += static_cast<std::size_t>(at - begin);
-    m_line_number += lines - lines_before;
+    begin_ += static_cast<std::size_t>(at - begin);
+    line_number_ += lines - lines_before;
     is_stopped = is_stopped || lines == most || text.size() > enough;
   } while (!is_stopped && refill_or_leave_to_next());
   return lines;
@@ -156,8 +156,8 @@ std::size_t LineReader::append_lines(std::size_t most, std::string_view stop, st
 bool LineReader::next(std::string_view& line) {
   std::size_t searched = 0;
   for (;;) {
-    const char* begin = m_buffer.data() + m_begin;
-    const std::size_t held = m_end - m_begin;
+    const char* begin = buffer_.data() + begin_;
+    const std::size_t held = end_ - begin_;
     const void* newline =
         held > searched ? std::memchr(begin + searched, '\n', held - searched) : nullptr;
     if (newline)
@@ -167,7 +167,7 @@ bool LineReader::next(std::string_view& line) {
                        fmt::format("a line of more than {} bytes", longest_line));
     searched = held;
     if (!refill())
-      return m_end > m_begin && deliver(m_end - m_begin, 0, line);
+      return end_ > begin_ && deliver(end_ - begin_, 0, line);
   }
 }
 

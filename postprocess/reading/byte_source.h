@@ -65,22 +65,22 @@ class LineReader {
                            std::string& text);
 
   /// Number of the line that `next` gave last, from 1.
-  std::size_t line_number() const { return m_line_number; }
-  const std::string& name() const { return m_name; }
-  std::uint64_t consumed() const { return m_source->consumed(); }
+  std::size_t line_number() const { return line_number_; }
+  const std::string& name() const { return name_; }
+  std::uint64_t consumed() const { return source_->consumed(); }
 
  private:
   bool refill();
   bool refill_or_leave_to_next();
-  FileLocation next_location() const { return {m_name, m_line_number + 1, 0}; }
+  FileLocation next_location() const { return {name_, line_number_ + 1, 0}; }
   bool deliver(std::size_t length, std::size_t skipped, std::string_view& line);
 
-  std::unique_ptr<ByteSource> m_source;
-  std::string m_name;
-  std::vector<char> m_buffer;
-  std::size_t m_begin = 0, m_end = 0, m_line_number = 0;
-  bool m_at_end = false;
-  std::optional<BrokenLine> m_broken; ///< what reading the source ended with
+  std::unique_ptr<ByteSource> source_;
+  std::string name_;
+  std::vector<char> buffer_;
+  std::size_t begin_ = 0, end_ = 0, line_number_ = 0;
+  bool at_end_ = false;
+  std::optional<BrokenLine> broken_; ///< what reading the source ended with
 };
 
 /// Text that is none.

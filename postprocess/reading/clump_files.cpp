@@ -42,15 +42,15 @@ ClumpFiles::ClumpFiles(const std::vector<std::string>& assignments) {
       throw InputError(fmt::format("--clump \"{}\": allowed is NUMBER=FILE with a number from 1 to "
                                    "{}: that of the clump's template, f_spacing less {}",
                                    assignment, largest_clump_number, clump_spacing));
-    if (!m_clumps.emplace(number, read_clump(assignment.substr(equals + 1))).second)
+    if (!clumps_.emplace(number, read_clump(assignment.substr(equals + 1))).second)
       throw InputError(fmt::format("--clump: clump {} is given twice; give each one once", number));
   }
 }
 
 const ClumpTemplate& ClumpFiles::find(double spacing, int count, const Vector3& semiaxes) const {
   const int number = static_cast<int>(spacing) - clump_spacing;
-  const auto found = m_clumps.find(number);
-  if (spacing != std::floor(spacing) || found == m_clumps.end())
+  const auto found = clumps_.find(number);
+  if (spacing != std::floor(spacing) || found == clumps_.end())
     throw std::invalid_argument(fmt::format(
         "it is clump {} (f_spacing {}), whose spheres the file does not hold: give --clump "
         "{}=FILE, the file of its template",

@@ -22,7 +22,7 @@ class ClumpFiles {
   const ClumpTemplate& find(double spacing, int count, const Vector3& semiaxes) const;
 
  private:
-  std::map<int, ClumpTemplate> m_clumps;
+  std::map<int, ClumpTemplate> clumps_;
 };
 
 } // namespace ellipsoid::post

@@ -25,17 +25,17 @@ void add_column_name(ColumnNames& names, const std::string& assignment) {
 }
 
 NamedColumns::NamedColumns(const Frame& frame, const ColumnNames& names)
-    : m_frame(frame), m_names(names) {
+    : frame_(frame), names_(names) {
   for (const auto& [name, column] : names)
     frame.required(column, fmt::format("--column {}={}", name, column));
 }
 
 /// Number of a column in the frame, or -1.
 std::ptrdiff_t NamedColumns::index_of(const std::string& name) const {
-  const auto named = m_names.find(name);
-  const std::vector<std::string>& there = m_frame.names;
+  const auto named = names_.find(name);
+  const std::vector<std::string>& there = frame_.names;
   const auto found =
-      std::find(there.begin(), there.end(), named == m_names.end() ? name : named->second);
+      std::find(there.begin(), there.end(), named == names_.end() ? name : named->second);
   return found == there.end() ? -1 : found - there.begin();
 }
 
@@ -44,16 +44,16 @@ Column NamedColumns::find(const std::string& name) const {
   if (index < 0)
     return nullptr;
   const auto k = static_cast<std::size_t>(index);
-  if (!m_frame.is_readable(k))
-    throw InputError(m_frame.unreadable[k]);
-  return &m_frame.columns[k];
+  if (!frame_.is_readable(k))
+    throw InputError(frame_.unreadable[k]);
+  return &frame_.columns[k];
 }
 
 std::string NamedColumns::fault(const std::vector<std::string>& names) const {
   for (const std::string& name : names) {
     const std::ptrdiff_t k = index_of(name);
-    if (k >= 0 && !m_frame.is_readable(static_cast<std::size_t>(k)))
-      return m_frame.unreadable[static_cast<std::size_t>(k)];
+    if (k >= 0 && !frame_.is_readable(static_cast<std::size_t>(k)))
+      return frame_.unreadable[static_cast<std::size_t>(k)];
   }
   return "";
 }

@@ -46,14 +46,14 @@ class NamedColumns {
   /// The first value of several columns that is no number, as a message; empty where there is none.
   std::string fault(const std::vector<std::string>& names) const;
   /// Whether the user named the column.
-  bool is_assigned(const std::string& name) const { return m_names.count(name) > 0; }
-  const Frame& frame() const { return m_frame; }
+  bool is_assigned(const std::string& name) const { return names_.count(name) > 0; }
+  const Frame& frame() const { return frame_; }
 
  private:
   std::ptrdiff_t index_of(const std::string& name) const;
 
-  const Frame& m_frame;
-  const ColumnNames& m_names;
+  const Frame& frame_;
+  const ColumnNames& names_;
 };
 
 } // namespace ellipsoid::post

@@ -17,28 +17,28 @@ constexpr std::size_t longest_magic = 6, block = std::size_t{1} << 18;
 /// A source whose first bytes were looked at already.
 class PeekedBytes : public ByteSource {
  public:
-  explicit PeekedBytes(std::unique_ptr<ByteSource> source) : m_source(std::move(source)) {
+  explicit PeekedBytes(std::unique_ptr<ByteSource> source) : source_(std::move(source)) {
     char magic[longest_magic];
     std::size_t got = 1;
-    while (m_begin.size() < longest_magic && got > 0) {
-      got = m_source->read(magic, longest_magic - m_begin.size());
-      m_begin.append(magic, got);
+    while (begin_.size() < longest_magic && got > 0) {
+      got = source_->read(magic, longest_magic - begin_.size());
+      begin_.append(magic, got);
     }
   }
-  const std::string& begin() const { return m_begin; }
+  const std::string& begin() const { return begin_; }
   std::size_t read(char* buffer, std::size_t size) override {
-    if (m_given == m_begin.size())
-      return m_source->read(buffer, size);
-    const std::size_t got = m_begin.copy(buffer, size, m_given);
-    m_given += got;
+    if (given_ == begin_.size())
+      return source_->read(buffer, size);
+    const std::size_t got = begin_.copy(buffer, size, given_);
+    given_ += got;
     return got;
   }
-  std::uint64_t consumed() const override { return m_source->consumed(); }
+  std::uint64_t consumed() const override { return source_->consumed(); }
 
  private:
-  std::unique_ptr<ByteSource> m_source;
-  std::string m_begin;
-  std::size_t m_given = 0;
+  std::unique_ptr<ByteSource> source_;
+  std::string begin_;
+  std::size_t given_ = 0;
 };
 
 /// Bytes that wait for a decompressor, and room for what it gives.
@@ -55,79 +55,79 @@ enum class StreamState { goes_on, ended };
 class Decompressor : public ByteSource {
  public:
   Decompressor(std::unique_ptr<ByteSource> source, const char* name)
-      : m_source(std::move(source)), m_name(name), m_buffer(block) {}
+      : source_(std::move(source)), name_(name), buffer_(block) {}
 
   std::size_t read(char* buffer, std::size_t size) override {
-    Stretch stretch{m_buffer.data() + m_offset, m_held - m_offset, buffer, size};
+    Stretch stretch{buffer_.data() + offset_, held_ - offset_, buffer, size};
     while (stretch.out_left == size) {
       if (stretch.in_left == 0) {
-        m_held = m_source->read(m_buffer.data(), m_buffer.size());
-        stretch.in = m_buffer.data();
-        stretch.in_left = m_held;
-        if (m_held == 0) {
-          m_offset = 0;
-          if (m_is_inside)
+        held_ = source_->read(buffer_.data(), buffer_.size());
+        stretch.in = buffer_.data();
+        stretch.in_left = held_;
+        if (held_ == 0) {
+          offset_ = 0;
+          if (is_inside_)
             throw broken("unexpected end of file");
           return 0;
         }
       }
-      if (!m_is_inside) {
+      if (!is_inside_) {
         begin();
-        m_is_inside = true;
+        is_inside_ = true;
       }
       if (step(stretch) == StreamState::ended)
-        m_is_inside = false;
+        is_inside_ = false;
     }
-    m_offset = m_held - stretch.in_left;
+    offset_ = held_ - stretch.in_left;
     return size - stretch.out_left;
   }
-  std::uint64_t consumed() const override { return m_source->consumed(); }
+  std::uint64_t consumed() const override { return source_->consumed(); }
 
  protected:
   /// Begins another stream.
   virtual void begin() = 0;
   virtual StreamState step(Stretch& stretch) = 0;
   InputError broken(const std::string& reason) const {
-    return InputError(fmt::format("{} data that are broken or cut off ({})", m_name, reason));
+    return InputError(fmt::format("{} data that are broken or cut off ({})", name_, reason));
   }
 
  private:
-  std::unique_ptr<ByteSource> m_source;
-  const char* m_name;
-  std::vector<char> m_buffer;
-  std::size_t m_offset = 0, m_held = 0;
-  bool m_is_inside = false; ///< a stream that has not ended
+  std::unique_ptr<ByteSource> source_;
+  const char* name_;
+  std::vector<char> buffer_;
+  std::size_t offset_ = 0, held_ = 0;
+  bool is_inside_ = false; ///< a stream that has not ended
 };
 
 class GzipBytes : public Decompressor {
  public:
   explicit GzipBytes(std::unique_ptr<ByteSource> source) : Decompressor(std::move(source), "gzip") {
     constexpr int with_header = 16;
-    if (inflateInit2(&m_stream, MAX_WBITS + with_header) != Z_OK)
+    if (inflateInit2(&stream_, MAX_WBITS + with_header) != Z_OK)
       throw broken("no memory");
   }
-  ~GzipBytes() override { inflateEnd(&m_stream); }
+  ~GzipBytes() override { inflateEnd(&stream_); }
   GzipBytes(const GzipBytes&) = delete;
   GzipBytes& operator=(const GzipBytes&) = delete;
 
  private:
-  void begin() override { inflateReset(&m_stream); }
+  void begin() override { inflateReset(&stream_); }
   StreamState step(Stretch& s) override {
-    m_stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(s.in));
-    m_stream.avail_in = static_cast<uInt>(s.in_left);
-    m_stream.next_out = reinterpret_cast<Bytef*>(s.out);
-    m_stream.avail_out = static_cast<uInt>(std::min<std::size_t>(s.out_left, block));
-    const uInt room = m_stream.avail_out;
-    const int code = inflate(&m_stream, Z_NO_FLUSH);
+    stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(s.in));
+    stream_.avail_in = static_cast<uInt>(s.in_left);
+    stream_.next_out = reinterpret_cast<Bytef*>(s.out);
+    stream_.avail_out = static_cast<uInt>(std::min<std::size_t>(s.out_left, block));
+    const uInt room = stream_.avail_out;
+    const int code = inflate(&stream_, Z_NO_FLUSH);
     if (code != Z_OK && code != Z_STREAM_END && code != Z_BUF_ERROR)
-      throw broken(m_stream.msg ? m_stream.msg : "invalid data");
-    s.in += s.in_left - m_stream.avail_in;
-    s.in_left = m_stream.avail_in;
-    s.out += room - m_stream.avail_out;
-    s.out_left -= room - m_stream.avail_out;
+      throw broken(stream_.msg ? stream_.msg : "invalid data");
+    s.in += s.in_left - stream_.avail_in;
+    s.in_left = stream_.avail_in;
+    s.out += room - stream_.avail_out;
+    s.out_left -= room - stream_.avail_out;
     return code == Z_STREAM_END ? StreamState::ended : StreamState::goes_on;
   }
-  z_stream m_stream{};
+  z_stream stream_{};
 };
 
 class BzipBytes : public Decompressor {
@@ -140,82 +140,82 @@ class BzipBytes : public Decompressor {
 
  private:
   void end() {
-    if (m_is_open)
-      BZ2_bzDecompressEnd(&m_stream);
-    m_is_open = false;
+    if (is_open_)
+      BZ2_bzDecompressEnd(&stream_);
+    is_open_ = false;
   }
   void begin() override {
     end();
-    m_stream = bz_stream{};
-    if (BZ2_bzDecompressInit(&m_stream, 0, 0) != BZ_OK)
+    stream_ = bz_stream{};
+    if (BZ2_bzDecompressInit(&stream_, 0, 0) != BZ_OK)
       throw broken("no memory");
-    m_is_open = true;
+    is_open_ = true;
   }
   StreamState step(Stretch& s) override {
-    m_stream.next_in = const_cast<char*>(s.in);
-    m_stream.avail_in = static_cast<unsigned>(s.in_left);
-    m_stream.next_out = s.out;
-    m_stream.avail_out = static_cast<unsigned>(std::min<std::size_t>(s.out_left, block));
-    const unsigned room = m_stream.avail_out;
-    const int code = BZ2_bzDecompress(&m_stream);
+    stream_.next_in = const_cast<char*>(s.in);
+    stream_.avail_in = static_cast<unsigned>(s.in_left);
+    stream_.next_out = s.out;
+    stream_.avail_out = static_cast<unsigned>(std::min<std::size_t>(s.out_left, block));
+    const unsigned room = stream_.avail_out;
+    const int code = BZ2_bzDecompress(&stream_);
     if (code != BZ_OK && code != BZ_STREAM_END)
       throw broken("invalid data");
-    s.in += s.in_left - m_stream.avail_in;
-    s.in_left = m_stream.avail_in;
-    s.out += room - m_stream.avail_out;
-    s.out_left -= room - m_stream.avail_out;
+    s.in += s.in_left - stream_.avail_in;
+    s.in_left = stream_.avail_in;
+    s.out += room - stream_.avail_out;
+    s.out_left -= room - stream_.avail_out;
     return code == BZ_STREAM_END ? StreamState::ended : StreamState::goes_on;
   }
-  bz_stream m_stream{};
-  bool m_is_open = false;
+  bz_stream stream_{};
+  bool is_open_ = false;
 };
 
 class XzBytes : public Decompressor {
  public:
   explicit XzBytes(std::unique_ptr<ByteSource> source) : Decompressor(std::move(source), "xz") {}
-  ~XzBytes() override { lzma_end(&m_stream); }
+  ~XzBytes() override { lzma_end(&stream_); }
   XzBytes(const XzBytes&) = delete;
   XzBytes& operator=(const XzBytes&) = delete;
 
  private:
   void begin() override {
-    if (lzma_stream_decoder(&m_stream, UINT64_MAX, 0) != LZMA_OK)
+    if (lzma_stream_decoder(&stream_, UINT64_MAX, 0) != LZMA_OK)
       throw broken("no memory");
   }
   StreamState step(Stretch& s) override {
-    m_stream.next_in = reinterpret_cast<const std::uint8_t*>(s.in);
-    m_stream.avail_in = s.in_left;
-    m_stream.next_out = reinterpret_cast<std::uint8_t*>(s.out);
-    m_stream.avail_out = s.out_left;
-    const lzma_ret code = lzma_code(&m_stream, LZMA_RUN);
+    stream_.next_in = reinterpret_cast<const std::uint8_t*>(s.in);
+    stream_.avail_in = s.in_left;
+    stream_.next_out = reinterpret_cast<std::uint8_t*>(s.out);
+    stream_.avail_out = s.out_left;
+    const lzma_ret code = lzma_code(&stream_, LZMA_RUN);
     if (code != LZMA_OK && code != LZMA_STREAM_END)
       throw broken("invalid data");
-    s.in += s.in_left - m_stream.avail_in;
-    s.in_left = m_stream.avail_in;
-    s.out += s.out_left - m_stream.avail_out;
-    s.out_left = m_stream.avail_out;
+    s.in += s.in_left - stream_.avail_in;
+    s.in_left = stream_.avail_in;
+    s.out += s.out_left - stream_.avail_out;
+    s.out_left = stream_.avail_out;
     return code == LZMA_STREAM_END ? StreamState::ended : StreamState::goes_on;
   }
-  lzma_stream m_stream = LZMA_STREAM_INIT;
+  lzma_stream stream_ = LZMA_STREAM_INIT;
 };
 
 class ZstdBytes : public Decompressor {
  public:
   explicit ZstdBytes(std::unique_ptr<ByteSource> source)
-      : Decompressor(std::move(source), "zstd"), m_stream(ZSTD_createDStream()) {
-    if (!m_stream)
+      : Decompressor(std::move(source), "zstd"), stream_(ZSTD_createDStream()) {
+    if (!stream_)
       throw broken("no memory");
   }
-  ~ZstdBytes() override { ZSTD_freeDStream(m_stream); }
+  ~ZstdBytes() override { ZSTD_freeDStream(stream_); }
   ZstdBytes(const ZstdBytes&) = delete;
   ZstdBytes& operator=(const ZstdBytes&) = delete;
 
  private:
-  void begin() override { ZSTD_initDStream(m_stream); }
+  void begin() override { ZSTD_initDStream(stream_); }
   StreamState step(Stretch& s) override {
     ZSTD_inBuffer in{s.in, s.in_left, 0};
     ZSTD_outBuffer out{s.out, s.out_left, 0};
-    const std::size_t code = ZSTD_decompressStream(m_stream, &out, &in);
+    const std::size_t code = ZSTD_decompressStream(stream_, &out, &in);
     if (ZSTD_isError(code) != 0)
       throw broken(ZSTD_getErrorName(code));
     s.in += in.pos;
@@ -224,7 +224,7 @@ class ZstdBytes : public Decompressor {
     s.out_left -= out.pos;
     return code == 0 ? StreamState::ended : StreamState::goes_on;
   }
-  ZSTD_DStream* m_stream;
+  ZSTD_DStream* stream_;
 };
 
 } // namespace

@@ -17,30 +17,30 @@ constexpr std::size_t most_values_ahead = std::size_t{1} << 16;
 
 } // namespace
 
-RowReader::RowReader(Frame& frame) : m_frame(frame), m_values(frame.names.size(), nullptr) {
+RowReader::RowReader(Frame& frame) : frame_(frame), values_(frame.names.size(), nullptr) {
   frame.columns.resize(frame.names.size());
   frame.unreadable.clear();
 }
 
 void RowReader::set_memory_aside() {
-  const std::size_t more = std::max(std::size_t{1}, most_values_ahead / m_values.size());
-  m_held = std::min(m_frame.rows, m_held + more);
-  for (std::size_t k = 0; k < m_values.size(); ++k) {
-    m_frame.columns[k].resize(m_held);
-    m_values[k] = m_frame.columns[k].data();
+  const std::size_t more = std::max(std::size_t{1}, most_values_ahead / values_.size());
+  held_ = std::min(frame_.rows, held_ + more);
+  for (std::size_t k = 0; k < values_.size(); ++k) {
+    frame_.columns[k].resize(held_);
+    values_[k] = frame_.columns[k].data();
   }
 }
 
 FileLocation RowReader::here() const {
-  return {m_frame.location.file, m_frame.location.line + m_row, m_frame.location.frame};
+  return {frame_.location.file, frame_.location.line + row_, frame_.location.frame};
 }
 
 void RowReader::set_unreadable(std::size_t column, std::string_view token) {
-  m_frame.unreadable.resize(m_values.size());
-  std::string& message = m_frame.unreadable[column];
+  frame_.unreadable.resize(values_.size());
+  std::string& message = frame_.unreadable[column];
   if (message.empty())
     message =
-        unexpected(here(), fmt::format("a finite number in column \"{}\"", m_frame.names[column]),
+        unexpected(here(), fmt::format("a finite number in column \"{}\"", frame_.names[column]),
                    quoted(std::string(token)))
             .what();
 }
@@ -53,16 +53,16 @@ bool RowReader::parse(std::string_view line) {
     while (at < end && is_blank(*at) == blanks)
       ++at;
   };
-  for (std::size_t k = 0; k < m_values.size(); ++k) {
+  for (std::size_t k = 0; k < values_.size(); ++k) {
     skip(true);
     if (at == end)
       return false;
     const char* const token = at;
-    if ((at = read_number(token, end, m_values[k][m_row])))
+    if ((at = read_number(token, end, values_[k][row_])))
       continue;
     at = token;
     skip(false);
-    m_values[k][m_row] = 0.0;
+    values_[k][row_] = 0.0;
     set_unreadable(k, {token, static_cast<std::size_t>(at - token)});
   }
   skip(true);
@@ -74,19 +74,19 @@ InputError RowReader::refused(std::string_view line) const {
   std::size_t count = 0;
   for (std::string_view rest = line; !next_token(rest).empty();)
     ++count;
-  const std::size_t columns = m_values.size();
+  const std::size_t columns = values_.size();
   return unexpected(here(),
-                    fmt::format("{} values in row {} of {}", columns, m_row + 1, m_frame.rows),
+                    fmt::format("{} values in row {} of {}", columns, row_ + 1, frame_.rows),
                     fmt::format("{}: {}", count > columns ? "more" : fmt::format("{}", count),
                                 quoted(std::string(line))));
 }
 
 void RowReader::read(std::string_view line) {
-  if (m_row == m_held)
+  if (row_ == held_)
     set_memory_aside();
   if (!parse(line))
     throw refused(line);
-  ++m_row;
+  ++row_;
 }
 
 void RowReader::read_lines(std::string_view text) {
@@ -102,8 +102,8 @@ void RowReader::read_lines(std::string_view text) {
 }
 
 void RowReader::drop_missing_rows() {
-  for (auto& column : m_frame.columns)
-    column.resize(std::min(column.size(), m_row));
+  for (auto& column : frame_.columns)
+    column.resize(std::min(column.size(), row_));
 }
 
 void read_rows(Frame& frame) {

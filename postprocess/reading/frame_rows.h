@@ -34,9 +34,9 @@ class RowReader {
   FileLocation here() const;
   InputError refused(std::string_view line) const;
 
-  Frame& m_frame;
-  std::size_t m_row = 0, m_held = 0;
-  std::vector<double*> m_values; ///< of each column
+  Frame& frame_;
+  std::size_t row_ = 0, held_ = 0;
+  std::vector<double*> values_; ///< of each column
 };
 
 /// Reads the rows that a frame still holds as text, if any. Throws InputError.

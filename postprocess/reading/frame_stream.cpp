@@ -135,9 +135,9 @@ std::vector<Run> runs_of(const std::vector<std::string>& arguments, RunGrouping 
   return runs;
 }
 
-FrameStream::FrameStream(std::vector<std::string> files) : m_files(std::move(files)) {
-  for (const std::string& file : m_files)
-    m_total_bytes += file_size(file);
+FrameStream::FrameStream(std::vector<std::string> files) : files_(std::move(files)) {
+  for (const std::string& file : files_)
+    total_bytes_ += file_size(file);
 }
 
 bool FrameStream::next(Frame& frame) {
@@ -149,46 +149,46 @@ bool FrameStream::next(Frame& frame) {
 
 bool FrameStream::next_unread(Frame& frame) {
   for (;;) {
-    if (!m_reader) {
-      if (m_next_file == m_files.size()) {
+    if (!reader_) {
+      if (next_file_ == files_.size()) {
         clear_progress();
         return false;
       }
-      m_reader = open_frames(m_files[m_next_file++]);
-      m_is_empty = true;
+      reader_ = open_frames(files_[next_file_++]);
+      is_empty_ = true;
     }
-    if (m_reader->next_unread(frame)) {
-      ++m_frames;
-      m_is_empty = false;
+    if (reader_->next_unread(frame)) {
+      ++frames_;
+      is_empty_ = false;
       show_progress();
       return true;
     }
-    m_bytes_before += m_reader->consumed();
-    m_reader.reset();
-    if (m_is_empty && m_files.size() > 1) // of a single file the caller sees it
-      throw InputError(m_files[m_next_file - 1] +
+    bytes_before_ += reader_->consumed();
+    reader_.reset();
+    if (is_empty_ && files_.size() > 1) // of a single file the caller sees it
+      throw InputError(files_[next_file_ - 1] +
                        ": expected at least one frame, found none: the file is empty");
   }
 }
 
 void FrameStream::show_progress() {
   constexpr std::uint64_t too_small_to_show = 20'000'000; // bytes: read in a blink
-  if (m_total_bytes < too_small_to_show || isatty(STDERR_FILENO) == 0)
+  if (total_bytes_ < too_small_to_show || isatty(STDERR_FILENO) == 0)
     return;
-  const std::uint64_t done = m_bytes_before + m_reader->consumed();
-  const int percent = static_cast<int>(100 * done / m_total_bytes);
-  if (percent == m_shown_percent)
+  const std::uint64_t done = bytes_before_ + reader_->consumed();
+  const int percent = static_cast<int>(100 * done / total_bytes_);
+  if (percent == shown_percent_)
     return;
-  m_shown_percent = percent;
+  shown_percent_ = percent;
   fmt::print(stderr, "\rreading {:3d} %  [{:<25}]  frame {}", percent,
-             std::string(static_cast<std::size_t>(std::min(percent, 100)) / 4, '#'), m_frames);
+             std::string(static_cast<std::size_t>(std::min(percent, 100)) / 4, '#'), frames_);
   std::fflush(stderr);
 }
 
 void FrameStream::clear_progress() {
-  if (m_shown_percent >= 0)
+  if (shown_percent_ >= 0)
     fmt::print(stderr, "\r{:70}\r", "");
-  m_shown_percent = -1;
+  shown_percent_ = -1;
 }
 
 } // namespace ellipsoid::post

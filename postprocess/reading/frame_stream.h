@@ -41,18 +41,18 @@ class FrameStream {
   /// The same, but its rows may be left as text, see FrameReader.
   bool next_unread(Frame& frame);
 
-  const std::vector<std::string>& files() const { return m_files; }
+  const std::vector<std::string>& files() const { return files_; }
 
  private:
   void show_progress();
   void clear_progress();
 
-  std::vector<std::string> m_files;
-  std::size_t m_next_file = 0, m_frames = 0;
-  std::unique_ptr<FrameReader> m_reader;
-  std::uint64_t m_total_bytes = 0, m_bytes_before = 0;
-  int m_shown_percent = -1;
-  bool m_is_empty = false; ///< no frame of the present file was seen yet
+  std::vector<std::string> files_;
+  std::size_t next_file_ = 0, frames_ = 0;
+  std::unique_ptr<FrameReader> reader_;
+  std::uint64_t total_bytes_ = 0, bytes_before_ = 0;
+  int shown_percent_ = -1;
+  bool is_empty_ = false; ///< no frame of the present file was seen yet
 };
 
 } // namespace ellipsoid::post

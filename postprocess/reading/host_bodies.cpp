@@ -106,40 +106,40 @@ void put_together(Sphere* begin, const Sphere* end, const PeriodicCell& cell) {
 class BodyMaker {
  public:
   BodyMaker(ParticleSet& set, const NamedColumns& columns, const ParticleOptions& options)
-      : m_set(set), m_frame(columns.frame()), m_cell(set.box), m_sizes(columns, options),
-        m_common(columns) {
-    m_common.describe(set);
+      : set_(set), frame_(columns.frame()), cell_(set.box), sizes_(columns, options),
+        common_(columns) {
+    common_.describe(set);
   }
 
   void add(const std::vector<std::size_t>& rows, std::int64_t body_number) {
-    Particle body = m_common.at(rows.front());
-    body.first_sphere = m_set.spheres.size();
+    Particle body = common_.at(rows.front());
+    body.first_sphere = set_.spheres.size();
     body.sphere_count = rows.size();
     body.is_host_body = true;
     Vector3 velocity;
     for (const std::size_t row : rows) {
-      const Particle sphere = m_common.at(row);
-      m_set.spheres.push_back({sphere.centre, radius_at(row)});
-      m_set.sphere_ids.push_back(sphere.id);
+      const Particle sphere = common_.at(row);
+      set_.spheres.push_back({sphere.centre, radius_at(row)});
+      set_.sphere_ids.push_back(sphere.id);
       velocity += (1.0 / static_cast<double>(rows.size())) * sphere.velocity;
-      require_one_motion(body, sphere, m_frame);
+      require_one_motion(body, sphere, frame_);
     }
-    Sphere* const first = m_set.spheres.data() + body.first_sphere;
-    if (m_cell.is_periodic() && !m_common.is_unwrapped())
-      put_together(first, first + rows.size(), m_cell);
-    enclose(body, m_set.spheres);
+    Sphere* const first = set_.spheres.data() + body.first_sphere;
+    if (cell_.is_periodic() && !common_.is_unwrapped())
+      put_together(first, first + rows.size(), cell_);
+    enclose(body, set_.spheres);
     body.velocity = velocity; // of the middle of the centres: motion of a rigid body is linear
     if (!is_symmetric(first, first + rows.size(), body.centre))
-      ++m_set.asymmetric_bodies;
+      ++set_.asymmetric_bodies;
     set_id(body, body_number);
-    m_set.particles.push_back(body);
+    set_.particles.push_back(body);
   }
 
  private:
   double radius_at(std::size_t row) const {
-    const Vector3 s = m_sizes.at(row);
+    const Vector3 s = sizes_.at(row);
     if (s.x != s.y || s.x != s.z)
-      throw bad_value(m_frame, row, "a sphere of a rigid body (--bodies none: no bodies)",
+      throw bad_value(frame_, row, "a sphere of a rigid body (--bodies none: no bodies)",
                       fmt::format("semi-axes {} {} {}", s.x, s.y, s.z));
     return s.x;
   }
@@ -147,19 +147,19 @@ class BodyMaker {
   void set_id(Particle& body, std::int64_t body_number) {
     if (body_number > 0)
       body.id = body_number;
-    if (!m_ids.insert(body.id).second)
-      throw bad_value(m_frame, body.row, "numbers of bodies that are no ids of single spheres",
+    if (!ids_.insert(body.id).second)
+      throw bad_value(frame_, body.row, "numbers of bodies that are no ids of single spheres",
                       fmt::format("{} for both: dump bodies and single spheres apart, or say "
                                   "--bodies none",
                                   body.id));
   }
 
-  ParticleSet& m_set;
-  const Frame& m_frame;
-  PeriodicCell m_cell;
-  SizeColumns m_sizes;
-  CommonColumns m_common;
-  std::set<std::int64_t> m_ids;
+  ParticleSet& set_;
+  const Frame& frame_;
+  PeriodicCell cell_;
+  SizeColumns sizes_;
+  CommonColumns common_;
+  std::set<std::int64_t> ids_;
 };
 
 } // namespace

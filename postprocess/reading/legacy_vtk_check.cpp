@@ -27,33 +27,32 @@ std::size_t bytes_of(const std::string& type) {
 /// Walks through a legacy file section by section.
 class LegacyFile {
  public:
-  LegacyFile(std::string path, std::string text)
-      : m_path(std::move(path)), m_text(std::move(text)) {}
+  LegacyFile(std::string path, std::string text) : path_(std::move(path)), text_(std::move(text)) {}
 
   void check() {
-    if (m_text.empty() || line().rfind("# vtk DataFile", 0) != 0)
+    if (text_.empty() || line().rfind("# vtk DataFile", 0) != 0)
       return; // VTK says what is wrong with it
     line();   // title
-    m_is_binary = line() == "BINARY";
-    while (m_position < m_text.size())
+    is_binary_ = line() == "BINARY";
+    while (position_ < text_.size())
       section(line());
-    if (m_text.back() != '\n')
+    if (text_.back() != '\n')
       throw cut("the end of the last line");
-    if (m_points > 0 && !m_has_data)
+    if (points_ > 0 && !has_data_)
       throw cut("the values of the points (POINT_DATA)");
-    if (m_arrays > 0)
-      throw cut(fmt::format("{} more arrays", m_arrays));
+    if (arrays_ > 0)
+      throw cut(fmt::format("{} more arrays", arrays_));
   }
 
  private:
   InputError cut(const std::string& expected) const {
     return InputError(
-        fmt::format("{}: expected {}, found the end of the file: it is cut off", m_path, expected));
+        fmt::format("{}: expected {}, found the end of the file: it is cut off", path_, expected));
   }
   std::string line() {
-    const std::size_t end = std::min(m_text.find('\n', m_position), m_text.size());
-    std::string text = m_text.substr(m_position, end - m_position);
-    m_position = std::min(end + 1, m_text.size());
+    const std::size_t end = std::min(text_.find('\n', position_), text_.size());
+    std::string text = text_.substr(position_, end - position_);
+    position_ = std::min(end + 1, text_.size());
     while (!text.empty() && (is_blank(text.back()) || text.back() == '\r'))
       text.pop_back();
     return text;
@@ -67,22 +66,22 @@ class LegacyFile {
   }
   /// Steps over `values` values.
   void skip(std::size_t values, const std::string& type, const std::string& what) {
-    if (m_is_binary) {
-      const std::size_t left = m_text.size() - m_position, size = bytes_of(type);
+    if (is_binary_) {
+      const std::size_t left = text_.size() - position_, size = bytes_of(type);
       if (size == 0 || values > left / size)
         throw cut(fmt::format("{} values of {}", values, what));
-      m_position += values * size;
-      if (m_position < m_text.size() && m_text[m_position] == '\n')
-        ++m_position;
+      position_ += values * size;
+      if (position_ < text_.size() && text_[position_] == '\n')
+        ++position_;
       return;
     }
     for (std::size_t k = 0; k < values; ++k) {
-      m_position = m_text.find_first_not_of(" \t\r\n", m_position);
-      if (m_position == m_text.npos)
+      position_ = text_.find_first_not_of(" \t\r\n", position_);
+      if (position_ == text_.npos)
         throw cut(fmt::format("{} values of {}, not {}", values, what, k));
-      m_position = std::min(m_text.find_first_of(" \t\r\n", m_position), m_text.size());
+      position_ = std::min(text_.find_first_of(" \t\r\n", position_), text_.size());
     }
-    if (m_position < m_text.size())
+    if (position_ < text_.size())
       line(); // what is left of the last line
   }
   void section(const std::string& header) {
@@ -96,17 +95,17 @@ class LegacyFile {
     if (key == "METADATA") {
       skip_metadata();
     } else if (key == "POINTS") {
-      m_points = count(words, 1);
-      skip(3 * m_points, type_at(words, 2), "POINTS");
+      points_ = count(words, 1);
+      skip(3 * points_, type_at(words, 2), "POINTS");
     } else if (key == "POINT_DATA" || key == "CELL_DATA") {
-      m_tuples = count(words, 1);
-      m_has_data = m_has_data || key == "POINT_DATA";
+      tuples_ = count(words, 1);
+      has_data_ = has_data_ || key == "POINT_DATA";
     } else if (!cells(words) && !attribute(words)) {
       field(words);
     }
   }
   void skip_metadata() {
-    while (m_position < m_text.size())
+    while (position_ < text_.size())
       if (line().empty())
         return;
     throw cut("an empty line behind METADATA");
@@ -120,15 +119,15 @@ class LegacyFile {
     if (key == "CELL_TYPES") {
       skip(count(words, 1), "int", key);
     } else if (key == "OFFSETS") {
-      skip(m_offsets, type_at(words, 1), key);
+      skip(offsets_, type_at(words, 1), key);
     } else if (key == "CONNECTIVITY") {
-      skip(m_connections, type_at(words, 1), key);
+      skip(connections_, type_at(words, 1), key);
     } else if (key == "CELLS" || key == "VERTICES" || key == "LINES" || key == "POLYGONS" ||
                key == "TRIANGLE_STRIPS") {
-      m_offsets = count(words, 1);
-      m_connections = count(words, 2);
-      if (m_text.compare(m_position, 7, "OFFSETS") != 0) // before version 5
-        skip(m_connections, "int", key);
+      offsets_ = count(words, 1);
+      connections_ = count(words, 2);
+      if (text_.compare(position_, 7, "OFFSETS") != 0) // before version 5
+        skip(connections_, "int", key);
     } else {
       return false;
     }
@@ -139,13 +138,13 @@ class LegacyFile {
     const std::string& key = words[0];
     const std::size_t width = key == "VECTORS" || key == "NORMALS" ? 3 : key == "TENSORS" ? 9 : 1;
     if (key == "SCALARS") {
-      if (m_text.compare(m_position, 12, "LOOKUP_TABLE") == 0)
+      if (text_.compare(position_, 12, "LOOKUP_TABLE") == 0)
         line();
-      skip(m_tuples * std::max<std::size_t>(1, count(words, 3)), type_at(words, 2), words[1]);
+      skip(tuples_ * std::max<std::size_t>(1, count(words, 3)), type_at(words, 2), words[1]);
     } else if (key == "TEXTURE_COORDINATES") {
-      skip(m_tuples * count(words, 2), type_at(words, 3), words[1]);
+      skip(tuples_ * count(words, 2), type_at(words, 3), words[1]);
     } else if (width > 1) {
-      skip(m_tuples * width, type_at(words, 2), type_at(words, 1));
+      skip(tuples_ * width, type_at(words, 2), type_at(words, 1));
     } else {
       return false;
     }
@@ -154,19 +153,19 @@ class LegacyFile {
   /// "FIELD NAME COUNT", or an array "NAME WIDTH TUPLES TYPE" in it.
   void field(const std::vector<std::string>& words) {
     if (words[0] == "FIELD") {
-      m_arrays = count(words, 2);
-    } else if (m_arrays > 0 && words.size() == 4) {
-      --m_arrays;
+      arrays_ = count(words, 2);
+    } else if (arrays_ > 0 && words.size() == 4) {
+      --arrays_;
       skip(count(words, 1) * count(words, 2), words[3], words[0]);
-    } else if (m_arrays > 0) {
+    } else if (arrays_ > 0) {
       throw cut("an array NAME WIDTH TUPLES TYPE");
     }
   }
 
-  std::string m_path, m_text;
-  std::size_t m_position = 0, m_points = 0, m_tuples = 0, m_offsets = 0, m_connections = 0;
-  std::size_t m_arrays = 0; ///< of the field that are still to come
-  bool m_is_binary = false, m_has_data = false;
+  std::string path_, text_;
+  std::size_t position_ = 0, points_ = 0, tuples_ = 0, offsets_ = 0, connections_ = 0;
+  std::size_t arrays_ = 0; ///< of the field that are still to come
+  bool is_binary_ = false, has_data_ = false;
 };
 
 } // namespace

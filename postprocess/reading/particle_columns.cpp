@@ -72,28 +72,28 @@ std::vector<std::size_t> rows_by_id(const NamedColumns& columns) {
   return order;
 }
 
-PositionColumns::PositionColumns(const NamedColumns& columns) : m_frame(columns.frame()) {
+PositionColumns::PositionColumns(const NamedColumns& columns) : frame_(columns.frame()) {
   for (const std::string suffix : {"", "u", "s", "su"})
-    if (!m_plain && !m_scaled) {
-      VectorColumns& found = suffix[0] == 's' ? m_scaled : m_plain;
+    if (!plain_ && !scaled_) {
+      VectorColumns& found = suffix[0] == 's' ? scaled_ : plain_;
       found = columns.find("x" + suffix, "y" + suffix, "z" + suffix);
-      m_are_unwrapped = found && suffix.back() == 'u';
+      are_unwrapped_ = found && suffix.back() == 'u';
     }
-  if (!m_plain && !m_scaled)
-    require_all(m_frame, {"x", "y", "z"}, "the position of the particles");
+  if (!plain_ && !scaled_)
+    require_all(frame_, {"x", "y", "z"}, "the position of the particles");
 }
 
 Vector3 PositionColumns::at(std::size_t row) const {
-  const Vector3 centre = m_plain ? m_plain.at(row) : unscaled(m_scaled.at(row));
+  const Vector3 centre = plain_ ? plain_.at(row) : unscaled(scaled_.at(row));
   for (const double x : {centre.x, centre.y, centre.z})
     if (!(std::abs(x) < largest_length))
-      throw bad_value(m_frame, row, fmt::format("a position within +-{}", largest_length),
+      throw bad_value(frame_, row, fmt::format("a position within +-{}", largest_length),
                       fmt::format("{}", x));
   return centre;
 }
 
 Vector3 PositionColumns::unscaled(const Vector3& s) const {
-  const Box& box = m_frame.box;
+  const Box& box = frame_.box;
   const Vector3 lower{box.lower[0], box.lower[1], box.lower[2]};
   const auto& edges = box.tilted_edges;
   if (!edges.empty())
@@ -103,60 +103,60 @@ Vector3 PositionColumns::unscaled(const Vector3& s) const {
 }
 
 SizeColumns::SizeColumns(const NamedColumns& columns, const ParticleOptions& options)
-    : m_frame(columns.frame()), m_given(options.semiaxes),
-      m_shape(columns.find("shapex", "shapey", "shapez")) {
+    : frame_(columns.frame()), given_(options.semiaxes),
+      shape_(columns.find("shapex", "shapey", "shapez")) {
   const VectorColumns computed =
-      m_shape ? VectorColumns() : columns.find("c_shape[1]", "c_shape[2]", "c_shape[3]");
+      shape_ ? VectorColumns() : columns.find("c_shape[1]", "c_shape[2]", "c_shape[3]");
   const bool is_named = columns.is_assigned("shapex");
-  m_are_whole_axes = !is_named && (m_shape ? columns.has("quatw") && !columns.has("quat1")
-                                           : static_cast<bool>(computed));
-  m_is_scale_given = options.size_scale.has_value();
-  m_scale = options.size_scale.value_or(m_are_whole_axes ? 0.5 : 1.0);
-  if (!m_shape)
-    m_shape = computed;
-  if (!m_shape) {
-    m_radius = columns.find("radius");
-    m_diameter = columns.find("diameter");
+  are_whole_axes_ = !is_named && (shape_ ? columns.has("quatw") && !columns.has("quat1")
+                                         : static_cast<bool>(computed));
+  is_scale_given_ = options.size_scale.has_value();
+  scale_ = options.size_scale.value_or(are_whole_axes_ ? 0.5 : 1.0);
+  if (!shape_)
+    shape_ = computed;
+  if (!shape_) {
+    radius_ = columns.find("radius");
+    diameter_ = columns.find("diameter");
   }
-  if (!m_given.empty() && (m_shape || m_radius || m_diameter))
+  if (!given_.empty() && (shape_ || radius_ || diameter_))
     throw InputError("--semiaxes is for files without sizes: this one has columns with them; leave "
                      "it out");
-  if (m_given.empty() && !m_shape && !m_radius && !m_diameter)
-    require_all(m_frame, {"shapex", "shapey", "shapez"},
+  if (given_.empty() && !shape_ && !radius_ && !diameter_)
+    require_all(frame_, {"shapex", "shapey", "shapez"},
                 "the semi-axes of the particles; or a column \"radius\", or give --semiaxes a b c");
 }
 
 std::string SizeColumns::remark() const {
-  return m_are_whole_axes && !m_is_scale_given
+  return are_whole_axes_ && !is_scale_given_
              ? "sizes beside LAMMPS's names of the orientation are taken as whole axes and "
                "halved; --size-scale 1 takes them as semi-axes, --size-scale 0.5 as whole ones"
              : "";
 }
 
 Vector3 SizeColumns::at(std::size_t row) const {
-  const Vector3 s = m_scale * raw(row);
+  const Vector3 s = scale_ * raw(row);
   for (const double axis : {s.x, s.y, s.z})
     if (!(axis > smallest_size && axis < largest_length))
-      throw bad_value(m_frame, row,
+      throw bad_value(frame_, row,
                       fmt::format("semi-axes > 0 (and {} to {})", smallest_size, largest_length),
                       fmt::format("{} {} {}", s.x, s.y, s.z));
   if (std::max({s.x, s.y, s.z}) > largest_aspect_ratio * std::min({s.x, s.y, s.z}))
-    throw bad_value(m_frame, row,
+    throw bad_value(frame_, row,
                     fmt::format("semi-axes within a factor of {}", largest_aspect_ratio),
                     fmt::format("{} {} {}", s.x, s.y, s.z));
   return s;
 }
 
 Vector3 SizeColumns::raw(std::size_t row) const {
-  if (!m_given.empty())
-    return {m_given[0], m_given[1], m_given[2]};
-  if (m_shape)
-    return m_shape.at(row);
-  const double radius = m_radius ? (*m_radius)[row] : 0.5 * (*m_diameter)[row];
+  if (!given_.empty())
+    return {given_[0], given_[1], given_[2]};
+  if (shape_)
+    return shape_.at(row);
+  const double radius = radius_ ? (*radius_)[row] : 0.5 * (*diameter_)[row];
   return {radius, radius, radius};
 }
 
-OrientationColumns::OrientationColumns(const NamedColumns& columns) : m_frame(columns.frame()) {
+OrientationColumns::OrientationColumns(const NamedColumns& columns) : frame_(columns.frame()) {
   const std::vector<std::vector<std::string>> names = {
       {"quat1", "quat2", "quat3", "quat4"},
       {"quatw", "quati", "quatj", "quatk"},
@@ -164,13 +164,13 @@ OrientationColumns::OrientationColumns(const NamedColumns& columns) : m_frame(co
   for (const std::vector<std::string>& q : names) {
     const Availability availability = availability_of(columns, q);
     if (availability.is_known()) {
-      m_w = columns.find(q[0]);
-      m_x = columns.find(q[1]);
-      m_y = columns.find(q[2]);
-      m_z = columns.find(q[3]);
+      w_ = columns.find(q[0]);
+      x_ = columns.find(q[1]);
+      y_ = columns.find(q[2]);
+      z_ = columns.find(q[3]);
     }
-    m_fault = availability.fault();
-    if (m_w || !m_fault.empty())
+    fault_ = availability.fault();
+    if (w_ || !fault_.empty())
       return;
   }
   if (columns.has("c_q[1]") && columns.has("c_q[4]"))
@@ -181,59 +181,59 @@ OrientationColumns::OrientationColumns(const NamedColumns& columns) : m_frame(co
 
 Quaternion OrientationColumns::at(std::size_t row, const Vector3& semiaxes) const {
   const bool is_sphere = semiaxes.x == semiaxes.y && semiaxes.y == semiaxes.z;
-  if (!m_w) {
-    if (!is_sphere && !m_fault.empty())
-      throw InputError(m_fault);
+  if (!w_) {
+    if (!is_sphere && !fault_.empty())
+      throw InputError(fault_);
     if (!is_sphere)
-      require_all(m_frame, {"quat1", "quat2", "quat3", "quat4"},
+      require_all(frame_, {"quat1", "quat2", "quat3", "quat4"},
                   "the orientation, quat1 (scalar part) to quat4");
     return {};
   }
-  const Quaternion q{(*m_w)[row], (*m_x)[row], (*m_y)[row], (*m_z)[row]};
+  const Quaternion q{(*w_)[row], (*x_)[row], (*y_)[row], (*z_)[row]};
   const double length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
   constexpr double off_unit = 1e-3; // six digits in the file leave 1e-6; 1e-3 is no quaternion
   if (std::abs(length - 1.0) > off_unit && !is_sphere)
-    throw bad_value(m_frame, row, "a quaternion quat1..quat4 of length 1",
+    throw bad_value(frame_, row, "a quaternion quat1..quat4 of length 1",
                     fmt::format("length {}", length));
   return length > 0.0 ? normalized(q) : Quaternion{};
 }
 
 CommonColumns::CommonColumns(const NamedColumns& columns)
-    : m_frame(columns.frame()), m_position(columns), m_id(columns.find("id")),
-      m_has_types(availability_of(columns, {"type"})),
-      m_has_masses(availability_of(columns, {"mass"})),
-      m_has_velocities(availability_of(columns, velocity_names)),
-      m_has_spins(availability_of(columns, spin_names)),
-      m_has_moments(availability_of(columns, moment_names)) {
-  m_type = m_has_types.is_known() ? columns.find("type") : nullptr;
-  m_mass = m_has_masses.is_known() ? columns.find("mass") : nullptr;
-  m_velocity = known_vector(columns, m_has_velocities, velocity_names);
-  m_spin = known_vector(columns, m_has_spins, spin_names);
-  m_moments = known_vector(columns, m_has_moments, moment_names);
+    : frame_(columns.frame()), position_(columns), id_(columns.find("id")),
+      has_types_(availability_of(columns, {"type"})),
+      has_masses_(availability_of(columns, {"mass"})),
+      has_velocities_(availability_of(columns, velocity_names)),
+      has_spins_(availability_of(columns, spin_names)),
+      has_moments_(availability_of(columns, moment_names)) {
+  type_ = has_types_.is_known() ? columns.find("type") : nullptr;
+  mass_ = has_masses_.is_known() ? columns.find("mass") : nullptr;
+  velocity_ = known_vector(columns, has_velocities_, velocity_names);
+  spin_ = known_vector(columns, has_spins_, spin_names);
+  moments_ = known_vector(columns, has_moments_, moment_names);
 }
 
 Particle CommonColumns::at(std::size_t row) const {
   Particle p;
   p.row = row;
-  p.id = m_id ? whole_number(m_frame, row, "id", (*m_id)[row]) : static_cast<std::int64_t>(row) + 1;
-  p.type = m_type ? whole_number(m_frame, row, "type", (*m_type)[row]) : 1;
-  p.mass = m_mass ? (*m_mass)[row] : 0.0;
-  p.centre = m_position.at(row);
-  if (m_velocity)
-    p.velocity = m_velocity.at(row);
-  if (m_spin)
-    p.angular_velocity = m_spin.at(row);
-  if (m_moments)
-    p.principal_moments = m_moments.at(row);
+  p.id = id_ ? whole_number(frame_, row, "id", (*id_)[row]) : static_cast<std::int64_t>(row) + 1;
+  p.type = type_ ? whole_number(frame_, row, "type", (*type_)[row]) : 1;
+  p.mass = mass_ ? (*mass_)[row] : 0.0;
+  p.centre = position_.at(row);
+  if (velocity_)
+    p.velocity = velocity_.at(row);
+  if (spin_)
+    p.angular_velocity = spin_.at(row);
+  if (moments_)
+    p.principal_moments = moments_.at(row);
   return p;
 }
 
 void CommonColumns::describe(ParticleSet& set) const {
-  set.has_types = m_has_types;
-  set.has_masses = m_has_masses;
-  set.has_velocities = m_has_velocities;
-  set.has_spins = m_has_spins;
-  set.has_moments = m_has_moments;
+  set.has_types = has_types_;
+  set.has_masses = has_masses_;
+  set.has_velocities = has_velocities_;
+  set.has_spins = has_spins_;
+  set.has_moments = has_moments_;
 }
 
 } // namespace ellipsoid::post

@@ -27,14 +27,14 @@ class PositionColumns {
   explicit PositionColumns(const NamedColumns& columns);
   Vector3 at(std::size_t row) const;
   /// Whether they go on beyond the faces of a box that repeats.
-  bool are_unwrapped() const { return m_are_unwrapped; }
+  bool are_unwrapped() const { return are_unwrapped_; }
 
  private:
   Vector3 unscaled(const Vector3& s) const;
 
-  const Frame& m_frame;
-  VectorColumns m_plain, m_scaled;
-  bool m_are_unwrapped = false;
+  const Frame& frame_;
+  VectorColumns plain_, scaled_;
+  bool are_unwrapped_ = false;
 };
 
 /// Semi-axes: from the options, from shape columns or from a radius.
@@ -48,12 +48,12 @@ class SizeColumns {
  private:
   Vector3 raw(std::size_t row) const;
 
-  const Frame& m_frame;
-  double m_scale = 1.0;
-  bool m_are_whole_axes = false, m_is_scale_given = false;
-  std::vector<double> m_given;
-  VectorColumns m_shape;
-  Column m_radius = nullptr, m_diameter = nullptr;
+  const Frame& frame_;
+  double scale_ = 1.0;
+  bool are_whole_axes_ = false, is_scale_given_ = false;
+  std::vector<double> given_;
+  VectorColumns shape_;
+  Column radius_ = nullptr, diameter_ = nullptr;
 };
 
 /// Orientations; spheres need none.
@@ -63,9 +63,9 @@ class OrientationColumns {
   Quaternion at(std::size_t row, const Vector3& semiaxes) const;
 
  private:
-  const Frame& m_frame;
-  std::string m_fault; ///< a value that is no number
-  Column m_w = nullptr, m_x = nullptr, m_y = nullptr, m_z = nullptr;
+  const Frame& frame_;
+  std::string fault_; ///< a value that is no number
+  Column w_ = nullptr, x_ = nullptr, y_ = nullptr, z_ = nullptr;
 };
 
 /// Everything of a row but its shape.
@@ -75,15 +75,15 @@ class CommonColumns {
   Particle at(std::size_t row) const;
   /// Tells a set what its particles have.
   void describe(ParticleSet& set) const;
-  bool is_unwrapped() const { return m_position.are_unwrapped(); }
+  bool is_unwrapped() const { return position_.are_unwrapped(); }
 
  private:
-  const Frame& m_frame;
-  PositionColumns m_position;
-  Column m_id;
-  Column m_type = nullptr, m_mass = nullptr;
-  VectorColumns m_velocity, m_spin, m_moments;
-  Availability m_has_types, m_has_masses, m_has_velocities, m_has_spins, m_has_moments;
+  const Frame& frame_;
+  PositionColumns position_;
+  Column id_;
+  Column type_ = nullptr, mass_ = nullptr;
+  VectorColumns velocity_, spin_, moments_;
+  Availability has_types_, has_masses_, has_velocities_, has_spins_, has_moments_;
 };
 
 } // namespace ellipsoid::post

@@ -45,24 +45,24 @@ struct Particle {
 class Availability {
  public:
   Availability(bool is_there = false, std::string fault = "")
-      : m_is_there(is_there), m_fault(std::move(fault)) {}
+      : is_there_(is_there), fault_(std::move(fault)) {}
   /// Throws InputError where a value is no number.
   explicit operator bool() const {
     require_readable();
-    return m_is_there;
+    return is_there_;
   }
   /// To be called by who needs the quantity if the file has it.
   void require_readable() const {
-    if (!m_fault.empty())
-      throw InputError(m_fault);
+    if (!fault_.empty())
+      throw InputError(fault_);
   }
   /// There, and all of it numbers.
-  bool is_known() const { return m_is_there && m_fault.empty(); }
-  const std::string& fault() const { return m_fault; }
+  bool is_known() const { return is_there_ && fault_.empty(); }
+  const std::string& fault() const { return fault_; }
 
  private:
-  bool m_is_there;
-  std::string m_fault; ///< the first value that is no number, as a message
+  bool is_there_;
+  std::string fault_; ///< the first value that is no number, as a message
 };
 
 struct ParticleSet {

@@ -21,10 +21,10 @@ class PeriodicCell {
   /// The box of a frame; it repeats where both sides of an axis are "p".
   explicit PeriodicCell(const Box& box);
 
-  const Vector3& corner() const { return m_corner; }
-  const Vector3& edge(std::size_t k) const { return m_edges[k]; }
-  bool is_periodic(std::size_t k) const { return m_is_periodic[k]; }
-  bool is_periodic() const { return m_is_periodic[0] || m_is_periodic[1] || m_is_periodic[2]; }
+  const Vector3& corner() const { return corner_; }
+  const Vector3& edge(std::size_t k) const { return edges_[k]; }
+  bool is_periodic(std::size_t k) const { return is_periodic_[k]; }
+  bool is_periodic() const { return is_periodic_[0] || is_periodic_[1] || is_periodic_[2]; }
   /// Whether edges are not along x, y, z.
   bool is_tilted() const;
   double volume() const; ///< (length^3)
@@ -48,13 +48,13 @@ class PeriodicCell {
  private:
   void prepare();
 
-  Vector3 m_corner;
-  std::array<Vector3, 3> m_edges{Vector3{1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 0.0},
-                                 Vector3{0.0, 0.0, 1.0}};
-  std::array<bool, 3> m_is_periodic{false, false, false};
-  std::array<Vector3, 3> m_reciprocal{Vector3{1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 0.0},
-                                      Vector3{0.0, 0.0, 1.0}}; ///< fractions = reciprocal . point
-  std::vector<Vector3> m_neighbours; ///< shifts to the images around a tilted cell
+  Vector3 corner_;
+  std::array<Vector3, 3> edges_{Vector3{1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 0.0},
+                                Vector3{0.0, 0.0, 1.0}};
+  std::array<bool, 3> is_periodic_{false, false, false};
+  std::array<Vector3, 3> reciprocal_{Vector3{1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 0.0},
+                                     Vector3{0.0, 0.0, 1.0}}; ///< fractions = reciprocal . point
+  std::vector<Vector3> neighbours_; ///< shifts to the images around a tilted cell
 };
 
 } // namespace ellipsoid::post

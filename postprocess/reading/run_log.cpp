@@ -84,17 +84,17 @@ std::optional<std::string_view> seed_of(const std::vector<std::string_view>& wor
 /// What the lines of a log say, one after the other.
 class LogLines {
  public:
-  explicit LogLines(RunLog& log) : m_log(log) {}
+  explicit LogLines(RunLog& log) : log_(log) {}
 
   void read(std::string_view line) {
     const std::vector<std::string_view> words = words_of(line);
     if (words.empty())
       return;
     if (words[0] == "Step") {
-      m_is_thermo = true;
+      is_thermo_ = true;
     } else if (words[0] == "Loop") {
-      m_is_thermo = false;
-    } else if (m_is_thermo) {
+      is_thermo_ = false;
+    } else if (is_thermo_) {
       read_step(words[0]);
     } else {
       read_command(words);
@@ -106,36 +106,36 @@ class LogLines {
     const auto step = whole_token<std::int64_t>(word);
     if (!step)
       return;
-    m_log.reached_step = step;
-    if (m_steps)
-      m_log.wanted_step = *step + *m_steps; // the first line: where the run begins
-    m_steps.reset();
+    log_.reached_step = step;
+    if (steps_)
+      log_.wanted_step = *step + *steps_; // the first line: where the run begins
+    steps_.reset();
   }
   void read_command(const std::vector<std::string_view>& words) {
     if (words[0] == "timestep" && words.size() > 1) {
       if (const auto value = whole_token<double>(words[1]))
-        m_log.time_step = value;
+        log_.time_step = value;
     } else if (words[0] == "run" && words.size() > 1) {
       const auto count = whole_token<std::int64_t>(words[1]);
       const bool is_upto = words.size() > 2 && words[2] == "upto";
       if (count && is_upto)
-        m_log.wanted_step = count;
-      m_steps = is_upto ? std::nullopt : count;
+        log_.wanted_step = count;
+      steps_ = is_upto ? std::nullopt : count;
     } else if (const auto seed = seed_of(words)) {
-      m_log.seeds[fmt::format("{} ({})", words[1], words[3])] = std::string(*seed);
+      log_.seeds[fmt::format("{} ({})", words[1], words[3])] = std::string(*seed);
     } else if (const auto gravity = gravity_of(words)) {
       // a resumed run appends to its log: the same fix comes again
-      m_gravity[std::string(words[1])] = *gravity;
-      m_log.gravity = Vector3{};
-      for (const auto& [id, value] : m_gravity)
-        *m_log.gravity += value;
+      gravity_[std::string(words[1])] = *gravity;
+      log_.gravity = Vector3{};
+      for (const auto& [id, value] : gravity_)
+        *log_.gravity += value;
     }
   }
 
-  RunLog& m_log;
-  bool m_is_thermo = false;
-  std::optional<std::int64_t> m_steps; ///< of a run whose first line is still to come
-  std::map<std::string, Vector3> m_gravity;
+  RunLog& log_;
+  bool is_thermo_ = false;
+  std::optional<std::int64_t> steps_; ///< of a run whose first line is still to come
+  std::map<std::string, Vector3> gravity_;
 };
 
 } // namespace

@@ -18,9 +18,9 @@ const SphereSet& TemplateCache::find(const Vector3& semiaxes, int subspheres,
         "chains of spheres need equal semi-axes b = c, not {} and {}", semiaxes.y, semiaxes.z));
   const auto key = std::make_tuple(semiaxes.x, semiaxes.y, is_planar ? semiaxes.z : semiaxes.y,
                                    subspheres, spacing);
-  auto it = m_templates.find(key);
-  if (it == m_templates.end())
-    it = m_templates
+  auto it = templates_.find(key);
+  if (it == templates_.end())
+    it = templates_
              .emplace(key, is_planar ? make_ellipsoid_spheres(semiaxes, subspheres, spacing)
                                      : spheres_of(make_multisphere(semiaxes.x, semiaxes.y,
                                                                    subspheres, spacing)))

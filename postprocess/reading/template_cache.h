@@ -19,7 +19,7 @@ class TemplateCache {
   const SphereSet& find(const Vector3& semiaxes, int subspheres, SphereSpacing spacing);
 
  private:
-  std::map<std::tuple<double, double, double, int, SphereSpacing>, SphereSet> m_templates;
+  std::map<std::tuple<double, double, double, int, SphereSpacing>, SphereSet> templates_;
 };
 
 } // namespace ellipsoid::post

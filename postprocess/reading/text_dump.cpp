@@ -37,13 +37,11 @@ std::string_view without_blanks(std::string_view text) {
 } // namespace
 
 TextDumpReader::TextDumpReader(std::unique_ptr<ByteSource> source, const std::string& name)
-    : m_lines(std::move(source), name) {}
+    : lines_(std::move(source), name) {}
 
 TextDumpReader::TextDumpReader(const std::string& path) : TextDumpReader(open_bytes(path), path) {}
 
-FileLocation TextDumpReader::here() const {
-  return {m_lines.name(), m_lines.line_number(), m_frame};
-}
+FileLocation TextDumpReader::here() const { return {lines_.name(), lines_.line_number(), frame_}; }
 
 InputError TextDumpReader::cut_off(const std::string& expected) const {
   FileLocation location = here();
@@ -54,10 +52,10 @@ InputError TextDumpReader::cut_off(const std::string& expected) const {
 /// A line that cannot be read is one of the frame.
 bool TextDumpReader::next_line(std::string_view& line) {
   try {
-    return m_lines.next(line);
+    return lines_.next(line);
   } catch (const BrokenLine& broken) {
     FileLocation location = broken.location;
-    location.frame = m_frame;
+    location.frame = frame_;
     throw unexpected(location, broken.expected, broken.found);
   }
 }
@@ -161,7 +159,7 @@ bool TextDumpReader::read_section(Frame& frame, std::string_view title) {
     std::string_view rest = line_of("the time");
     frame.time = number(next_token(rest), "the time, a number");
   } else if (starts_with(title, "UNITS")) {
-    m_units = line_of("the unit system");
+    units_ = line_of("the unit system");
   } else {
     frame.names = tokens_of(title);
     if (frame.names.size() < 2 || frame.names.size() > most_columns)
@@ -190,14 +188,14 @@ void TextDumpReader::read_header(Frame& frame) {
   }
   if (frame.rows == no_count)
     throw unexpected(here(), "\"ITEM: NUMBER OF ATOMS\" before the rows", "none");
-  frame.units = m_units;
+  frame.units = units_;
 }
 
 /// Takes the rows as text; those of a frame that ends otherwise than with a last whole line, or is
 /// very large, are read here.
 void TextDumpReader::load_rows(Frame& frame) {
   frame.unread.clear();
-  const std::size_t taken = m_lines.append_lines(frame.rows, row_stop, most_text, frame.unread);
+  const std::size_t taken = lines_.append_lines(frame.rows, row_stop, most_text, frame.unread);
   if (taken == frame.rows && taken > 0)
     return;
   RowReader reader(frame);
@@ -235,7 +233,7 @@ bool TextDumpReader::next(Frame& frame) {
 }
 
 bool TextDumpReader::next_unread(Frame& frame) {
-  ++m_frame;
+  ++frame_;
   std::string_view line;
   do { // blank lines between frames, as when files are joined
     if (!next_line(line))
@@ -244,7 +242,7 @@ bool TextDumpReader::next_unread(Frame& frame) {
   read_preamble(frame, line);
   frame.location = here();
   read_header(frame);
-  frame.location.line = m_lines.line_number() + 1;
+  frame.location.line = lines_.line_number() + 1;
   load_rows(frame);
   return true;
 }

@@ -24,7 +24,7 @@ class TextDumpReader : public FrameReader {
 
   bool next(Frame& frame) override;
   bool next_unread(Frame& frame) override;
-  std::uint64_t consumed() const override { return m_lines.consumed(); }
+  std::uint64_t consumed() const override { return lines_.consumed(); }
 
  private:
   void read_header(Frame& frame);
@@ -39,9 +39,9 @@ class TextDumpReader : public FrameReader {
   std::int64_t integer(std::string_view token, const char* expected) const;
   FileLocation here() const;
 
-  LineReader m_lines;
-  std::size_t m_frame = 0;
-  std::string m_units; ///< stated once for all frames that follow
+  LineReader lines_;
+  std::size_t frame_ = 0;
+  std::string units_; ///< stated once for all frames that follow
 };
 
 } // namespace ellipsoid::post

@@ -35,14 +35,14 @@ class KeptMessages : public vtkOutputWindow {
   static KeptMessages* New() { return new KeptMessages; }
   void DisplayText(const char*) override {}
   void DisplayErrorText(const char* text) override {
-    if (m_first.empty())
-      m_first = text;
+    if (first_.empty())
+      first_ = text;
   }
   /// The sentence of the first error, or nothing: "ERROR: In F, line L\nvtkClass (0x1): sentence".
   std::string first_error() const {
-    const std::size_t object = m_first.find("): ");
+    const std::size_t object = first_.find("): ");
     const std::size_t begin = object == std::string::npos ? 0 : object + 3;
-    std::string sentence = m_first.substr(begin, m_first.find('\n', begin) - begin);
+    std::string sentence = first_.substr(begin, first_.find('\n', begin) - begin);
     std::replace_if(
         sentence.begin(), sentence.end(), [](char letter) { return letter < ' ' || letter > '~'; },
         '?');
@@ -50,21 +50,21 @@ class KeptMessages : public vtkOutputWindow {
   }
 
  private:
-  std::string m_first;
+  std::string first_;
 };
 
 /// As long as it lives, messages of VTK go to `kept`.
 class ListenToVtk {
  public:
   ListenToVtk()
-      : kept(vtkSmartPointer<KeptMessages>::New()), m_before(vtkOutputWindow::GetInstance()),
-        m_verbosity(vtkLogger::GetCurrentVerbosityCutoff()) {
+      : kept(vtkSmartPointer<KeptMessages>::New()), before_(vtkOutputWindow::GetInstance()),
+        verbosity_(vtkLogger::GetCurrentVerbosityCutoff()) {
     vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
     vtkOutputWindow::SetInstance(kept);
   }
   ~ListenToVtk() {
-    vtkOutputWindow::SetInstance(m_before);
-    vtkLogger::SetStderrVerbosity(m_verbosity);
+    vtkOutputWindow::SetInstance(before_);
+    vtkLogger::SetStderrVerbosity(verbosity_);
   }
   ListenToVtk(const ListenToVtk&) = delete;
   ListenToVtk& operator=(const ListenToVtk&) = delete;
@@ -72,8 +72,8 @@ class ListenToVtk {
   const vtkSmartPointer<KeptMessages> kept;
 
  private:
-  const vtkSmartPointer<vtkOutputWindow> m_before;
-  const vtkLogger::Verbosity m_verbosity;
+  const vtkSmartPointer<vtkOutputWindow> before_;
+  const vtkLogger::Verbosity verbosity_;
 };
 
 template <class Reader> vtkSmartPointer<vtkPointSet> read_with(const std::string& path) {
@@ -177,27 +177,27 @@ void add_array(Frame& frame, vtkDataArray& array, const std::string& name) {
 
 } // namespace
 
-VtkDumpReader::VtkDumpReader(std::string path) : m_path(std::move(path)) {
+VtkDumpReader::VtkDumpReader(std::string path) : path_(std::move(path)) {
   struct stat status {};
-  if (stat(m_path.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
-    throw InputError(m_path + ": cannot be opened");
-  m_consumed = static_cast<std::uint64_t>(status.st_size);
+  if (stat(path_.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
+    throw InputError(path_ + ": cannot be opened");
+  consumed_ = static_cast<std::uint64_t>(status.st_size);
 }
 
 bool VtkDumpReader::next(Frame& frame) {
-  if (m_is_done)
+  if (is_done_)
     return false;
-  m_is_done = true;
+  is_done_ = true;
   frame = Frame();
-  frame.location = {m_path, 1, 1};
-  frame.timestep = step_in(m_path);
+  frame.location = {path_, 1, 1};
+  frame.timestep = step_in(path_);
   frame.label = "ATOMS";
   const ListenToVtk listening;
-  const vtkSmartPointer<vtkPointSet> points = read_points(m_path);
+  const vtkSmartPointer<vtkPointSet> points = read_points(path_);
   const std::string error = listening.kept->first_error();
   if (!points || !error.empty())
     throw InputError(
-        m_path +
+        path_ +
         ": frame 1: expected a whole VTK file with points (PolyData or "
         "UnstructuredGrid), found " +
         (error.empty() ? "something else or a broken file" : "a broken file: " + error));

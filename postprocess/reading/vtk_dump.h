@@ -13,12 +13,12 @@ class VtkDumpReader : public FrameReader {
   /// Throws InputError when the file cannot be opened.
   explicit VtkDumpReader(std::string path);
   bool next(Frame& frame) override;
-  std::uint64_t consumed() const override { return m_consumed; }
+  std::uint64_t consumed() const override { return consumed_; }
 
  private:
-  std::string m_path;
-  bool m_is_done = false;
-  std::uint64_t m_consumed = 0;
+  std::string path_;
+  bool is_done_ = false;
+  std::uint64_t consumed_ = 0;
 };
 
 } // namespace ellipsoid::post

@@ -81,8 +81,8 @@ void FieldPoints::set_points(const std::vector<double>& coordinates) {
   if (coordinates.size() % 3 != 0)
     throw InputError("--at needs three numbers for each point");
   for (std::size_t k = 0; k < coordinates.size(); k += 3) {
-    m_points.push_back({coordinates[k], coordinates[k + 1], coordinates[k + 2]});
-    m_rows.push_back(place_row(m_points.back()));
+    points_.push_back({coordinates[k], coordinates[k + 1], coordinates[k + 2]});
+    rows_.push_back(place_row(points_.back()));
   }
 }
 
@@ -91,27 +91,27 @@ void FieldPoints::set_grid(const std::vector<int>& counts, const Box& box) {
   double step[3];
   for (std::size_t k = 0; k < 3; ++k) {
     step[k] = (box.upper[k] - box.lower[k]) / counts[k];
-    m_image.counts[k] = counts[k];
+    image_.counts[k] = counts[k];
   }
-  m_image.spacing = {step[0], step[1], step[2]};
-  m_image.origin = Vector3{box.lower[0], box.lower[1], box.lower[2]} + 0.5 * m_image.spacing;
+  image_.spacing = {step[0], step[1], step[2]};
+  image_.origin = Vector3{box.lower[0], box.lower[1], box.lower[2]} + 0.5 * image_.spacing;
   for (int k = 0; k < counts[2]; ++k)
     for (int j = 0; j < counts[1]; ++j)
       for (int i = 0; i < counts[0]; ++i) {
-        m_points.push_back(m_image.origin + Vector3{i * step[0], j * step[1], k * step[2]});
-        m_rows.push_back(place_row(m_points.back()));
+        points_.push_back(image_.origin + Vector3{i * step[0], j * step[1], k * step[2]});
+        rows_.push_back(place_row(points_.back()));
       }
 }
 
 void FieldPoints::set_planes(std::size_t axis, int slices, const Box& box, bool is_part) {
-  const std::string name = m_names[axis];
-  m_plane_axis = axis;
+  const std::string name = names_[axis];
+  plane_axis_ = axis;
   if (is_part)
-    m_section = box;
+    section_ = box;
   const double step = (box.upper[axis] - box.lower[axis]) / slices;
   for (int k = 0; k < slices; ++k) {
-    m_abscissae.push_back(box.lower[axis] + (k + 0.5) * step);
-    m_rows.push_back({{name + "_m", name, "m", m_abscissae.back()}});
+    abscissae_.push_back(box.lower[axis] + (k + 0.5) * step);
+    rows_.push_back({{name + "_m", name, "m", abscissae_.back()}});
   }
 }
 
@@ -127,7 +127,7 @@ void FieldPoints::set_rings(const FieldPointOptions& options, double width) {
   const std::size_t along = number_of_axis(options.axis);
   const Vector3 first = unit((along + 1) % 3), second = unit((along + 2) % 3), axis = unit(along);
   const int layers = std::max(fewest, static_cast<int>(std::ceil((c[4] - c[3]) / (apart * width))));
-  m_names = {"r", "t", options.axis};
+  names_ = {"r", "t", options.axis};
   for (int slice = 0; slice < options.slices; ++slice) {
     const double radius = (slice + 0.5) * c[2] / options.slices;
     const int turns =
@@ -136,31 +136,31 @@ void FieldPoints::set_rings(const FieldPointOptions& options, double width) {
       const double angle = 2.0 * pi * (k % turns) / turns;
       const double height = c[3] + (k / turns + 0.5) * (c[4] - c[3]) / layers;
       const Vector3 outward = std::cos(angle) * first + std::sin(angle) * second;
-      m_points.push_back(c[0] * first + c[1] * second + radius * outward + height * axis);
-      m_axes_of_point.push_back({outward, cross(axis, outward), axis});
-      m_place_of_point.push_back(m_rows.size());
+      points_.push_back(c[0] * first + c[1] * second + radius * outward + height * axis);
+      axes_of_point_.push_back({outward, cross(axis, outward), axis});
+      place_of_point_.push_back(rows_.size());
     }
-    m_rows.push_back({{"radius_m", "radius", "m", radius}});
+    rows_.push_back({{"radius_m", "radius", "m", radius}});
   }
 }
 
 std::unique_ptr<FieldTargets> FieldPoints::targets(const CoarseGrainingFunction& function,
                                                    const PeriodicCell& cell, double longest) const {
-  if (m_plane_axis)
-    return plane_targets(*m_plane_axis, m_abscissae, m_section, function, cell, longest);
-  return point_targets(m_points, function, cell, longest);
+  if (plane_axis_)
+    return plane_targets(*plane_axis_, abscissae_, section_, function, cell, longest);
+  return point_targets(points_, function, cell, longest);
 }
 
 std::vector<FieldSums> FieldPoints::gathered(const std::vector<FieldSums>& sums) const {
-  if (m_place_of_point.empty())
+  if (place_of_point_.empty())
     return sums;
-  std::vector<FieldSums> means(m_rows.size(), FieldSums{});
-  std::vector<double> counts(m_rows.size(), 0.0);
+  std::vector<FieldSums> means(rows_.size(), FieldSums{});
+  std::vector<double> counts(rows_.size(), 0.0);
   for (std::size_t n = 0; n < sums.size(); ++n) {
-    const FieldSums local = turned(sums[n], m_axes_of_point[n]);
+    const FieldSums local = turned(sums[n], axes_of_point_[n]);
     for (std::size_t k = 0; k < field_size; ++k)
-      means[m_place_of_point[n]][k] += local[k];
-    counts[m_place_of_point[n]] += 1.0;
+      means[place_of_point_[n]][k] += local[k];
+    counts[place_of_point_[n]] += 1.0;
   }
   for (std::size_t point = 0; point < means.size(); ++point)
     for (double& value : means[point])

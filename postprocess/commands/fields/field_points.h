@@ -36,13 +36,13 @@ class FieldPoints {
   /// Sums of the targets, one per point: rings are averaged in cylindrical components.
   std::vector<FieldSums> gathered(const std::vector<FieldSums>& sums) const;
 
-  std::size_t count() const { return m_rows.size(); }
+  std::size_t count() const { return rows_.size(); }
   /// Columns that tell where the point is.
-  const Row& row(std::size_t point) const { return m_rows[point]; }
-  const ComponentNames& component_names() const { return m_names; }
-  bool is_grid() const { return m_image.counts[0] > 0; }
+  const Row& row(std::size_t point) const { return rows_[point]; }
+  const ComponentNames& component_names() const { return names_; }
+  bool is_grid() const { return image_.counts[0] > 0; }
   /// The grid without values.
-  const ImageData& image() const { return m_image; }
+  const ImageData& image() const { return image_; }
 
  private:
   void set_points(const std::vector<double>& coordinates);
@@ -50,15 +50,15 @@ class FieldPoints {
   void set_planes(std::size_t axis, int slices, const Box& box, bool is_part);
   void set_rings(const FieldPointOptions& options, double width);
 
-  std::vector<Vector3> m_points;
-  std::vector<std::size_t> m_place_of_point; ///< rings only
-  std::vector<Rotation3> m_axes_of_point;    ///< rings only
-  std::optional<std::size_t> m_plane_axis;
-  std::vector<double> m_abscissae;
-  std::optional<Box> m_section;
-  std::vector<Row> m_rows;
-  ComponentNames m_names{"x", "y", "z"};
-  ImageData m_image;
+  std::vector<Vector3> points_;
+  std::vector<std::size_t> place_of_point_; ///< rings only
+  std::vector<Rotation3> axes_of_point_;    ///< rings only
+  std::optional<std::size_t> plane_axis_;
+  std::vector<double> abscissae_;
+  std::optional<Box> section_;
+  std::vector<Row> rows_;
+  ComponentNames names_{"x", "y", "z"};
+  ImageData image_;
 };
 
 } // namespace ellipsoid::post

@@ -13,87 +13,86 @@ namespace ellipsoid::post {
 FrameChooser::FrameChooser(const FrameOptions& options, std::string run, WorkerPool* workers,
                            unsigned most_frames,
                            const std::function<Collect(const ChosenFrame&)>& measure)
-    : m_options(options), m_run(std::move(run)), m_workers(workers), m_most_frames(most_frames),
-      m_measure(measure) {}
+    : options_(options), run_(std::move(run)), workers_(workers), most_frames_(most_frames),
+      measure_(measure) {}
 FrameChooser::~FrameChooser() { // threads may still look at it when an exception passes
-  for (const Waiting& waiting : m_waiting)
+  for (const Waiting& waiting : waiting_)
     waiting.outcome.wait();
 }
 
 int FrameChooser::read(const std::vector<std::string>& files) {
   try {
     FrameStream stream(files);
-    while (!m_is_done && next_of(stream))
+    while (!is_done_ && next_of(stream))
       choose();
   } catch (const InputError& error) {
     collect_all();
-    if (!m_is_unreadable)
+    if (!is_unreadable_)
       report_error(error.what());
-    m_code = exit_bad_data;
+    code_ = exit_bad_data;
   }
-  if (m_options.frames == "last" && m_has_last) {
-    if (m_last.rows == 0)
-      report_warning(fmt::format("{}: the last frame, of time step {}, holds no particles", m_run,
-                                 m_last.timestep));
-    hand_over(m_last);
+  if (options_.frames == "last" && has_last_) {
+    if (last_.rows == 0)
+      report_warning(fmt::format("{}: the last frame, of time step {}, holds no particles", run_,
+                                 last_.timestep));
+    hand_over(last_);
   }
   collect_all();
-  if (m_repeated > 0)
-    report_error(fmt::format("{}: the same in {} more {}", m_run, m_repeated,
-                             m_repeated == 1 ? "frame" : "frames"));
-  if (m_chosen == 0 && m_code == exit_good) {
+  if (repeated_ > 0)
+    report_error(fmt::format("{}: the same in {} more {}", run_, repeated_,
+                             repeated_ == 1 ? "frame" : "frames"));
+  if (chosen_ == 0 && code_ == exit_good) {
     report_error(no_frame());
-    m_code = exit_bad_data;
+    code_ = exit_bad_data;
   }
-  return m_code;
+  return code_;
 }
 
 /// Threads read the rows of their frames, but not of the first one: what is wrong with a file is
 /// mostly seen there.
 bool FrameChooser::next_of(FrameStream& stream) {
-  return m_workers && m_seen > 0 ? stream.next_unread(m_frame) : stream.next(m_frame);
+  return workers_ && seen_ > 0 ? stream.next_unread(frame_) : stream.next(frame_);
 }
 
 /// Why nothing was chosen although nothing is broken.
 std::string FrameChooser::no_frame() const {
-  if (m_seen == 0)
-    return fmt::format("{}: expected at least one frame, found none: the file is empty", m_run);
-  return fmt::format("{}: expected a frame of time step {}, found {}: {}", m_run, m_options.frames,
-                     m_seen == 1 ? "one frame" : fmt::format("{} frames", m_seen),
-                     m_first_step == m_last_step
-                         ? fmt::format("time step {}", m_first_step)
-                         : fmt::format("time steps {} to {}", m_first_step, m_last_step));
+  if (seen_ == 0)
+    return fmt::format("{}: expected at least one frame, found none: the file is empty", run_);
+  return fmt::format("{}: expected a frame of time step {}, found {}: {}", run_, options_.frames,
+                     seen_ == 1 ? "one frame" : fmt::format("{} frames", seen_),
+                     first_step_ == last_step_
+                         ? fmt::format("time step {}", first_step_)
+                         : fmt::format("time steps {} to {}", first_step_, last_step_));
 }
 
 void FrameChooser::choose() {
-  if (m_seen == 0 && !m_frame.units.empty() && m_frame.units != "si")
+  if (seen_ == 0 && !frame_.units.empty() && frame_.units != "si")
     report_warning(fmt::format("{}: the file is in units '{}'; tables and pictures name those of "
                                "'si', the numbers are the file's",
-                               m_run, m_frame.units));
-  if (m_seen > 0 && m_frame.timestep <= m_last_step)
+                               run_, frame_.units));
+  if (seen_ > 0 && frame_.timestep <= last_step_)
     report_warning(fmt::format("{}: frame {} of {} is of time step {}, after one of {}: frames are "
                                "repeated or not in the order of time",
-                               m_run, m_frame.location.frame, m_frame.location.file,
-                               m_frame.timestep, m_last_step),
-                   "order of " + m_run);
-  m_first_step = m_seen++ == 0 ? m_frame.timestep : m_first_step;
-  m_last_step = m_frame.timestep;
-  if (m_options.frames == "last") {
-    std::swap(m_frame, m_last);
-    m_has_last = true;
-  } else if (m_options.frames == "all") {
-    hand_over(m_frame);
-  } else if (m_options.frames == "first" ||
-             fmt::format("{}", m_frame.timestep) == m_options.frames) {
-    hand_over(m_frame);
-    m_is_done = true;
+                               run_, frame_.location.frame, frame_.location.file, frame_.timestep,
+                               last_step_),
+                   "order of " + run_);
+  first_step_ = seen_++ == 0 ? frame_.timestep : first_step_;
+  last_step_ = frame_.timestep;
+  if (options_.frames == "last") {
+    std::swap(frame_, last_);
+    has_last_ = true;
+  } else if (options_.frames == "all") {
+    hand_over(frame_);
+  } else if (options_.frames == "first" || fmt::format("{}", frame_.timestep) == options_.frames) {
+    hand_over(frame_);
+    is_done_ = true;
   }
 }
 
 /// Measures a frame, now or in a thread.
 void FrameChooser::hand_over(Frame& frame) {
-  ++m_chosen;
-  if (m_workers) {
+  ++chosen_;
+  if (workers_) {
     hand_to_workers(frame);
     return;
   }
@@ -105,22 +104,22 @@ void FrameChooser::hand_over(Frame& frame) {
 void FrameChooser::hand_to_workers(Frame& frame) {
   // in memory at the same time, or a single frame
   constexpr std::size_t most_rows = 1000000, most_text = std::size_t{1} << 28;
-  while (!m_waiting.empty() &&
-         (m_waiting.size() >= m_most_frames || m_rows_waiting + frame.rows > most_rows ||
-          m_text_waiting + frame.unread.size() > most_text))
+  while (!waiting_.empty() &&
+         (waiting_.size() >= most_frames_ || rows_waiting_ + frame.rows > most_rows ||
+          text_waiting_ + frame.unread.size() > most_text))
     collect_oldest();
-  if (m_free.empty())
-    m_free.push_back(std::make_unique<Frame>());
-  std::unique_ptr<Frame> own = std::move(m_free.back());
-  m_free.pop_back();
+  if (free_.empty())
+    free_.push_back(std::make_unique<Frame>());
+  std::unique_ptr<Frame> own = std::move(free_.back());
+  free_.pop_back();
   std::swap(*own, frame);
-  m_rows_waiting += own->rows;
+  rows_waiting_ += own->rows;
   const std::size_t text = own->unread.size(); // the thread will change it
-  m_text_waiting += text;
+  text_waiting_ += text;
   Frame* const shared = own.get();
   std::future<Outcome> outcome =
-      m_workers->submit<Outcome>([this, shared] { return outcome_of(*shared); });
-  m_waiting.push_back({std::move(outcome), std::move(own), text});
+      workers_->submit<Outcome>([this, shared] { return outcome_of(*shared); });
+  waiting_.push_back({std::move(outcome), std::move(own), text});
 }
 
 /// In a thread: reads the rows, and measures.
@@ -140,10 +139,10 @@ FrameChooser::Outcome FrameChooser::outcome_of(Frame& frame) const {
 
 void FrameChooser::measure(const Frame& frame, Outcome& outcome) const {
   try {
-    const ParticleSet set = particles_of(frame, m_options.particles);
+    const ParticleSet set = particles_of(frame, options_.particles);
     for (const std::string& remark : set.remarks)
-      report_warning(m_run + ": " + remark, remark + m_run);
-    outcome.collect = m_measure({m_run, frame, set});
+      report_warning(run_ + ": " + remark, remark + run_);
+    outcome.collect = measure_({run_, frame, set});
   } catch (const InputError& error) {
     const std::string what = error.what();
     outcome.reason = what;
@@ -155,7 +154,7 @@ void FrameChooser::measure(const Frame& frame, Outcome& outcome) const {
 }
 
 void FrameChooser::report(const Outcome& outcome) {
-  if (m_is_unreadable)
+  if (is_unreadable_)
     return;
   for (const Warning& warning : outcome.warnings)
     print(warning);
@@ -163,26 +162,26 @@ void FrameChooser::report(const Outcome& outcome) {
     outcome.collect();
   if (outcome.error.empty())
     return;
-  if (outcome.reason.empty() || m_reasons.insert(outcome.reason).second)
+  if (outcome.reason.empty() || reasons_.insert(outcome.reason).second)
     report_error(outcome.error);
   else
-    ++m_repeated;
-  m_code = exit_bad_data;
-  m_is_unreadable = outcome.is_unreadable;
-  m_is_done = m_is_done || m_is_unreadable;
+    ++repeated_;
+  code_ = exit_bad_data;
+  is_unreadable_ = outcome.is_unreadable;
+  is_done_ = is_done_ || is_unreadable_;
 }
 
 void FrameChooser::collect_oldest() {
-  Waiting oldest = std::move(m_waiting.front());
-  m_waiting.pop_front();
-  m_rows_waiting -= oldest.frame->rows;
-  m_text_waiting -= oldest.text;
+  Waiting oldest = std::move(waiting_.front());
+  waiting_.pop_front();
+  rows_waiting_ -= oldest.frame->rows;
+  text_waiting_ -= oldest.text;
   report(oldest.outcome.get());
-  m_free.push_back(std::move(oldest.frame));
+  free_.push_back(std::move(oldest.frame));
 }
 
 void FrameChooser::collect_all() {
-  while (!m_waiting.empty())
+  while (!waiting_.empty())
     collect_oldest();
 }
 

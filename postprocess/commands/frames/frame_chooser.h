@@ -57,22 +57,22 @@ class FrameChooser {
   void collect_oldest();
   void collect_all();
 
-  const FrameOptions& m_options;
-  std::string m_run;
-  WorkerPool* m_workers;
-  unsigned m_most_frames;
-  const std::function<Collect(const ChosenFrame&)>& m_measure;
-  Frame m_frame, m_last;
-  bool m_has_last = false, m_is_done = false;
-  bool m_is_unreadable = false;         ///< rows of a frame that was given to the threads
-  std::size_t m_chosen = 0, m_seen = 0; ///< frames
-  std::size_t m_rows_waiting = 0, m_text_waiting = 0; ///< rows, bytes
-  std::int64_t m_first_step = 0, m_last_step = 0;     ///< of the frames that were seen
-  std::deque<Waiting> m_waiting;              ///< frames that are being measured, oldest first
-  std::vector<std::unique_ptr<Frame>> m_free; ///< whose memory is used again
-  std::set<std::string> m_reasons;            ///< of errors that were reported
-  std::size_t m_repeated = 0;                 ///< errors for a reason that was reported already
-  int m_code = exit_good;
+  const FrameOptions& options_;
+  std::string run_;
+  WorkerPool* workers_;
+  unsigned most_frames_;
+  const std::function<Collect(const ChosenFrame&)>& measure_;
+  Frame frame_, last_;
+  bool has_last_ = false, is_done_ = false;
+  bool is_unreadable_ = false;        ///< rows of a frame that was given to the threads
+  std::size_t chosen_ = 0, seen_ = 0; ///< frames
+  std::size_t rows_waiting_ = 0, text_waiting_ = 0; ///< rows, bytes
+  std::int64_t first_step_ = 0, last_step_ = 0;     ///< of the frames that were seen
+  std::deque<Waiting> waiting_;              ///< frames that are being measured, oldest first
+  std::vector<std::unique_ptr<Frame>> free_; ///< whose memory is used again
+  std::set<std::string> reasons_;            ///< of errors that were reported
+  std::size_t repeated_ = 0;                 ///< errors for a reason that was reported already
+  int code_ = exit_good;
 };
 
 } // namespace ellipsoid::post

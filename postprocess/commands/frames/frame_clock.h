@@ -16,16 +16,16 @@ class FrameClock {
   /// Throws InputError for one that comes earlier.
   bool advances(const ChosenFrame& chosen) {
     const std::int64_t step = chosen.frame.timestep;
-    if (m_last && step < *m_last)
+    if (last_ && step < *last_)
       throw InputError("this frame comes before the one ahead of it in the files: name the files "
                        "in the order of time");
-    const bool is_later = !m_last || step > *m_last;
-    m_last = step;
+    const bool is_later = !last_ || step > *last_;
+    last_ = step;
     return is_later;
   }
 
  private:
-  std::optional<std::int64_t> m_last; ///< time step
+  std::optional<std::int64_t> last_; ///< time step
 };
 
 } // namespace ellipsoid::post

@@ -16,16 +16,16 @@ class WorkerPool {
  public:
   explicit WorkerPool(unsigned threads) {
     for (unsigned k = 0; k < threads; ++k)
-      m_threads.emplace_back([this] { work(); });
+      threads_.emplace_back([this] { work(); });
   }
   /// Waits for all tasks.
   ~WorkerPool() {
     {
-      const std::lock_guard<std::mutex> lock(m_mutex);
-      m_is_closed = true;
+      const std::lock_guard<std::mutex> lock(mutex_);
+      is_closed_ = true;
     }
-    m_has_task.notify_all();
-    for (std::thread& thread : m_threads)
+    has_task_.notify_all();
+    for (std::thread& thread : threads_)
       thread.join();
   }
   WorkerPool(const WorkerPool&) = delete;
@@ -36,10 +36,10 @@ class WorkerPool {
     auto packaged = std::make_shared<std::packaged_task<Result()>>(std::move(task));
     std::future<Result> result = packaged->get_future();
     {
-      const std::lock_guard<std::mutex> lock(m_mutex);
-      m_tasks.emplace_back([packaged] { (*packaged)(); });
+      const std::lock_guard<std::mutex> lock(mutex_);
+      tasks_.emplace_back([packaged] { (*packaged)(); });
     }
-    m_has_task.notify_one();
+    has_task_.notify_one();
     return result;
   }
 
@@ -48,22 +48,22 @@ class WorkerPool {
     for (;;) {
       std::function<void()> task;
       {
-        std::unique_lock<std::mutex> lock(m_mutex);
-        m_has_task.wait(lock, [this] { return m_is_closed || !m_tasks.empty(); });
-        if (m_tasks.empty())
+        std::unique_lock<std::mutex> lock(mutex_);
+        has_task_.wait(lock, [this] { return is_closed_ || !tasks_.empty(); });
+        if (tasks_.empty())
           return;
-        task = std::move(m_tasks.front());
-        m_tasks.pop_front();
+        task = std::move(tasks_.front());
+        tasks_.pop_front();
       }
       task();
     }
   }
 
-  std::mutex m_mutex;
-  std::condition_variable m_has_task;
-  std::deque<std::function<void()>> m_tasks;
-  bool m_is_closed = false;
-  std::vector<std::thread> m_threads;
+  std::mutex mutex_;
+  std::condition_variable has_task_;
+  std::deque<std::function<void()>> tasks_;
+  bool is_closed_ = false;
+  std::vector<std::thread> threads_;
 };
 
 } // namespace ellipsoid::post

@@ -33,29 +33,29 @@ void add_force_list_options(CLI::App& command, ContactListOptions& options,
   contacts->needs(forces);
 }
 
-ContactLists::ContactLists(const ContactListOptions& options) : m_options(options) {}
+ContactLists::ContactLists(const ContactListOptions& options) : options_(options) {}
 ContactLists::~ContactLists() = default;
 
 void ContactLists::begin() {
-  const std::vector<Run> runs = runs_of(m_options.files, RunGrouping::one_run);
-  m_stream = std::make_unique<FrameStream>(runs.front().files);
-  m_has_list = false;
+  const std::vector<Run> runs = runs_of(options_.files, RunGrouping::one_run);
+  stream_ = std::make_unique<FrameStream>(runs.front().files);
+  has_list_ = false;
 }
 
 const Frame& ContactLists::at(std::int64_t timestep) {
-  if (!m_stream || (m_has_list && m_list.timestep > timestep))
+  if (!stream_ || (has_list_ && list_.timestep > timestep))
     begin(); // another run, or frames that are not in the order of time
-  while (!(m_has_list && m_list.timestep >= timestep)) {
-    m_has_list = m_stream->next(m_list);
-    if (!m_has_list)
+  while (!(has_list_ && list_.timestep >= timestep)) {
+    has_list_ = stream_->next(list_);
+    if (!has_list_)
       break;
   }
-  if (m_has_list && m_list.timestep == timestep)
-    return m_list;
-  if (!m_has_list)
-    m_stream.reset();
+  if (has_list_ && list_.timestep == timestep)
+    return list_;
+  if (!has_list_)
+    stream_.reset();
   throw InputError(fmt::format("{}: no contacts of time step {}; dump both at the same steps",
-                               fmt::join(m_options.files, " "), timestep));
+                               fmt::join(options_.files, " "), timestep));
 }
 
 } // namespace ellipsoid::post

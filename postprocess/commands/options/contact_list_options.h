@@ -41,10 +41,10 @@ class ContactLists {
  private:
   void begin();
 
-  const ContactListOptions& m_options;
-  std::unique_ptr<FrameStream> m_stream;
-  Frame m_list;
-  bool m_has_list = false;
+  const ContactListOptions& options_;
+  std::unique_ptr<FrameStream> stream_;
+  Frame list_;
+  bool has_list_ = false;
 };
 
 } // namespace ellipsoid::post

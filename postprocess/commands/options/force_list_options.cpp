@@ -42,30 +42,30 @@ void add_force_list_options(CLI::App& command, ForceListOptions& options) {
 }
 
 ForceLists::ForceLists(const ForceListOptions& options)
-    : m_options(options), m_contact_files{options.contacts, {}}, m_wall_files{options.walls, {}},
-      m_contacts(m_contact_files), m_walls(m_wall_files) {}
+    : options_(options), contact_files_{options.contacts, {}}, wall_files_{options.walls, {}},
+      contacts_(contact_files_), walls_(wall_files_) {}
 
 std::vector<ForceContact> ForceLists::at(std::int64_t timestep, const ParticleSet& set,
                                          const PeriodicCell& cell) {
   std::vector<ForceContact> all;
-  if (!m_options.contacts.empty()) {
-    const Frame& list = m_contacts.at(timestep);
-    all = force_contacts(list, m_options.contact_columns, set);
-    if (m_options.is_on_second)
+  if (!options_.contacts.empty()) {
+    const Frame& list = contacts_.at(timestep);
+    all = force_contacts(list, options_.contact_columns, set);
+    if (options_.is_on_second)
       for (ForceContact& contact : all)
         contact.force = -contact.force;
     if (forces_pull(all, set, cell))
       throw InputError(fmt::format("{}: time step {}: the forces pull the particles together: {}",
                                    list.location.file, timestep,
-                                   m_options.is_on_second
+                                   options_.is_on_second
                                        ? "leave out --force-on-second"
                                        : "if they act on the second particle of each row, give "
                                          "--force-on-second"));
   }
-  if (m_options.walls.empty())
+  if (options_.walls.empty())
     return all;
-  const Frame& list = m_walls.at(timestep);
-  const std::vector<ForceContact> walls = force_contacts(list, m_options.wall_columns, set);
+  const Frame& list = walls_.at(timestep);
+  const std::vector<ForceContact> walls = force_contacts(list, options_.wall_columns, set);
   if (forces_pull(walls, set, cell))
     throw InputError(fmt::format("{}: time step {}: the forces pull the particles to the walls: "
                                  "expected the force on the particle",

@@ -32,9 +32,9 @@ class ForceLists {
                                const PeriodicCell& cell);
 
  private:
-  const ForceListOptions& m_options;
-  ContactListOptions m_contact_files, m_wall_files;
-  ContactLists m_contacts, m_walls;
+  const ForceListOptions& options_;
+  ContactListOptions contact_files_, wall_files_;
+  ContactLists contacts_, walls_;
 };
 
 } // namespace ellipsoid::post

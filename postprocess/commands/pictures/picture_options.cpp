@@ -10,10 +10,10 @@
 namespace ellipsoid::post {
 
 std::string PictureNames::next(const ChosenFrame& chosen) {
-  std::string name = m_pattern;
+  std::string name = pattern_;
   if (const auto star = name.find('*'); star != std::string::npos)
     name.replace(star, 1, fmt::format("{:010d}", chosen.frame.timestep));
-  if (!m_given.insert(name).second)
+  if (!given_.insert(name).second)
     throw InputError(
         fmt::format("the picture {} is there already, of another frame or run: take one "
                     "run at a time, with an asterisk in the name for the time step",

@@ -17,13 +17,13 @@ CLI::Validator picture_name_check();
 /// digits, so that the names of a film are in the order of time.
 class PictureNames {
  public:
-  explicit PictureNames(std::string pattern) : m_pattern(std::move(pattern)) {}
+  explicit PictureNames(std::string pattern) : pattern_(std::move(pattern)) {}
   /// Throws InputError for a name that has been given already: nothing is overwritten.
   std::string next(const ChosenFrame& chosen);
 
  private:
-  std::string m_pattern;
-  std::set<std::string> m_given;
+  std::string pattern_;
+  std::set<std::string> given_;
 };
 
 /// A message for a name without an asterisk for all frames of a run, or nothing.
