@@ -39,7 +39,7 @@ class Campaign:
     lock: threading.Lock = field(default_factory=threading.Lock)
 
     def identity(self, run):
-        """What a run's results hang on; another one needs another folder."""
+        """What a run's results depend on; another one needs another folder."""
         return {"input": self.input_file.name,
                 "input_sha256": hashlib.sha256(self.input_file.read_bytes()).hexdigest(),
                 "variables": {**self.common, **dict(run.variables)}}

@@ -173,7 +173,7 @@ TEST(RigidBody, PlanarInertiaOfTiltedBodies) {
 
 TEST(RigidBody, PlanarInertiaOfSymmetricBodies) {
   // z anywhere across the symmetry axis; moments that differ by rounding only, as those of a data
-  // file: which of the two is taken does not hang on the rounding of the orientation
+  // file: which of the two is taken does not depend on the rounding of the orientation
   const Vector3 rod{1.0, 2.0, std::nextafter(2.0, 3.0)};
   for (int degrees = 0; degrees < 360; degrees += 15) {
     const double half_angle = 0.5 * degrees * std::acos(-1.0) / 180.0;
