@@ -16,7 +16,7 @@ namespace LIGGGHTS {
 namespace ContactModels {
 
 /// Keyword `contacts K`: simultaneous contacts of one pair of particles (or of a particle and a
-/// wall) that the history has room for.
+/// wall) that each has room for; the histories of more are kept elsewhere.
 class ContactsSetting : public Setting {
  public:
   typedef int value_type;
@@ -25,13 +25,6 @@ class ContactsSetting : public Setting {
   static constexpr int largest = std::numeric_limits<short>::max();
   /// The number in a command that the models have accepted.
   static int in(const ModelSettings& settings) { return settings.number("contacts", standard); }
-  /// What to do where there are `found` contacts and no room for all.
-  static std::string remedy(int found) {
-    return found <= largest ? "give 'contacts " + std::to_string(found) + "' or more"
-                            : "use fewer sub-spheres: no more than " + std::to_string(largest) +
-                                  " contacts of one pair can be kept";
-  }
-
   ContactsSetting(std::string name, int value) : Setting(name, 1) { current_.setValue(value); }
 
   void registerTarget(int& target) { current_.registerTarget(target); }

@@ -72,19 +72,6 @@ PairGranEllipsoid& FixContactHistoryEllipsoid::pair() const {
   return *static_cast<PairGranEllipsoid*>(force->pair);
 }
 
-const FixContactHistoryEllipsoid::Saved& FixContactHistoryEllipsoid::saved(int i) const {
-  static const Saved none;
-  const auto k = static_cast<std::size_t>(i);
-  return k < saved_.size() ? saved_[k] : none;
-}
-
-FixContactHistoryEllipsoid::Saved& FixContactHistoryEllipsoid::room_for(int i) {
-  const auto k = static_cast<std::size_t>(i);
-  if (k >= saved_.size())
-    saved_.resize(std::max(k + 1, static_cast<std::size_t>(atom->nmax)));
-  return saved_[k];
-}
-
 void FixContactHistoryEllipsoid::pre_exchange() {
   save();
   reserve_exchange();
@@ -121,7 +108,7 @@ void FixContactHistoryEllipsoid::save() {
 /// @param[in] sign -1: the row is that of j with i
 void FixContactHistoryEllipsoid::save_contact(int i, int j, const double* row,
                                               const std::vector<double>& more, double sign) {
-  Saved& mine = room_for(i);
+  Saved& mine = saved_.at(i);
   const Vector3 away = position(atom->x[j]) - position(atom->x[i]);
   const int values = pair().dnum();
   mine.insert(mine.end(), {static_cast<double>(atom->tag[j]), away.x, away.y, away.z,
@@ -136,7 +123,7 @@ void FixContactHistoryEllipsoid::save_contact(int i, int j, const double* row,
 
 /// What was saved of i with this image of j, or with the nearest one; null: nothing with any.
 const double* FixContactHistoryEllipsoid::find(int i, int j) const {
-  const Saved& mine = saved(i);
+  const Saved& mine = saved_.of(i);
   const Vector3 away = position(atom->x[j]) - position(atom->x[i]);
   const double* nearest = nullptr;
   double least = HUGE_VAL;
@@ -157,7 +144,7 @@ void FixContactHistoryEllipsoid::give_back() {
     return;
   are_to_be_given_ = false;
   pair().more_history().clear();
-  if (saved_.empty())
+  if (saved_.all().empty())
     return;
   const NeighList &list = *pair().list, &histories = *pair().listgranhistory;
   std::uint32_t index = 0;
@@ -191,7 +178,7 @@ void FixContactHistoryEllipsoid::give_back_pair(std::uint32_t index, int i, int 
 }
 
 void FixContactHistoryEllipsoid::renumber(const ellipsoid_host::NewNumbers& numbers) {
-  for (Saved& mine : saved_)
+  for (Saved& mine : saved_.all())
     for (double *c = mine.data(), *end = c + mine.size(); c < end; c += length_of(c)) {
       const auto found = numbers.find(static_cast<int>(c[partner_tag]));
       c[partner_tag] = found == numbers.end() ? 0.0 : found->second; // no particle has 0
@@ -207,68 +194,48 @@ void FixContactHistoryEllipsoid::reserve_exchange() {
     values = std::max(values, const_cast<FixContactHistory*>(histories)->n_partner(i) *
                                       (pair().dnum() + 1) +
                                   1 + size_restart(i));
-  for (int k = 0; k < modify->nfix; ++k)
+  for (int k = 0; k < modify->nfix; ++k) {
     if (modify->fix[k]->peratom_flag)
       values += std::max(1, modify->fix[k]->size_peratom_cols);
+    if (const auto* rows = dynamic_cast<const ellipsoid_host::SendsRows*>(modify->fix[k]))
+      values += rows->largest_row();
+  }
   comm->maxexchange_fix = std::max(comm->maxexchange_fix, values);
 }
 
-double FixContactHistoryEllipsoid::memory_usage() {
-  double bytes = static_cast<double>(saved_.capacity() * sizeof(Saved));
-  for (const Saved& mine : saved_)
-    bytes += static_cast<double>(mine.capacity() * sizeof(double));
-  return bytes;
-}
+double FixContactHistoryEllipsoid::memory_usage() { return saved_.bytes(); }
 
-void FixContactHistoryEllipsoid::copy_arrays(int from, int to, int) {
-  if (!saved(from).empty() || !saved(to).empty()) {
-    const Saved copy = saved(from);
-    room_for(to) = copy;
-  }
-}
+void FixContactHistoryEllipsoid::copy_arrays(int from, int to, int) { saved_.copy(from, to); }
 
-void FixContactHistoryEllipsoid::set_arrays(int i) {
-  if (!saved(i).empty())
-    room_for(i).clear();
-}
+void FixContactHistoryEllipsoid::set_arrays(int i) { saved_.empty(i); }
 
 int FixContactHistoryEllipsoid::pack_exchange(int i, double* buffer) {
   return pack_restart(i, buffer);
 }
 
 int FixContactHistoryEllipsoid::unpack_exchange(int i, double* buffer) {
-  const int size = static_cast<int>(buffer[0]);
-  set_arrays(i);
-  if (size > 1)
-    room_for(i).assign(buffer + 1, buffer + size);
-  return size;
+  return saved_.unpack(i, buffer);
 }
 
 /// `restart N` writes files without new lists.
 int FixContactHistoryEllipsoid::size_restart(int i) {
   save();
-  return 1 + static_cast<int>(saved(i).size());
+  return saved_.packed_size(i);
 }
 
 int FixContactHistoryEllipsoid::pack_restart(int i, double* buffer) {
-  const Saved& mine = saved(i);
-  buffer[0] = size_restart(i);
-  std::copy(mine.begin(), mine.end(), buffer + 1);
-  return size_restart(i);
+  save();
+  return saved_.pack(i, buffer);
 }
 
 void FixContactHistoryEllipsoid::unpack_restart(int i, int set) {
-  double* values = atom->extra[i];
-  for (int k = 0; k < set; ++k)
-    values += static_cast<std::ptrdiff_t>(*values);
-  unpack_exchange(i, values);
+  saved_.unpack_extra(i, atom->extra[i], set);
   are_to_be_given_ = true;
 }
 
 int FixContactHistoryEllipsoid::maxsize_restart() {
-  int largest = 1;
-  for (int i = 0; i < atom->nlocal; ++i)
-    largest = std::max(largest, size_restart(i));
+  save();
+  const int largest = saved_.largest_packed_size(atom->nlocal);
   int of_all = largest;
   MPI_Allreduce(&largest, &of_all, 1, MPI_INT, MPI_MAX, world);
   return of_all;

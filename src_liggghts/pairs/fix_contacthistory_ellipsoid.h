@@ -16,6 +16,7 @@ FixStyle(contacthistory/ellipsoid,FixContactHistoryEllipsoid)
 
 #include "fix.h"
 #include "new_numbers.h"
+#include "rows_of_particles.h"
 
 #include <cstdint>
 #include <vector>
@@ -54,13 +55,11 @@ class FixContactHistoryEllipsoid : public Fix, public ellipsoid_host::KnowsNumbe
 
  private:
   /// Of one particle, its contacts one after the other: see save_contact().
-  using Saved = std::vector<double>;
+  using Saved = ellipsoid_host::RowsOfParticles::Row;
 
-  std::vector<Saved> saved_; // empty: of no particle
+  ellipsoid_host::RowsOfParticles saved_;
   bool are_changed_ = false, are_to_be_given_ = false;
 
-  const Saved& saved(int i) const;
-  Saved& room_for(int i);
   void save();
   void save_contact(int i, int j, const double* row, const std::vector<double>& more, double sign);
   const double* find(int i, int j) const;

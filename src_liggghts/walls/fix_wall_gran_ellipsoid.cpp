@@ -110,6 +110,34 @@ FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg)
   const int at_primitive = cylinder_axis_ >= 0 ? 2 : 1; // tips of a smooth ellipsoid
   const bool many = multisphere || is_mesh_wall();
   history_.set_size(many ? LCM::ContactsSetting::in(settings) : at_primitive, dnum());
+  restart_peratom = 1;
+  create_attribute = 1;
+  atom->add_callback(0);
+  atom->add_callback(1);
+}
+
+FixWallGranEllipsoid::~FixWallGranEllipsoid() {
+  atom->delete_callback(id, 0);
+  atom->delete_callback(id, 1);
+}
+
+int FixWallGranEllipsoid::largest_row() const {
+  return more_history_.largest_packed_size(atom->nlocal);
+}
+
+double FixWallGranEllipsoid::memory_usage() {
+  return FixWallGran::memory_usage() + more_history_.bytes();
+}
+
+void FixWallGranEllipsoid::unpack_restart(int i, int set) {
+  more_history_.unpack_extra(i, atom->extra[i], set);
+}
+
+int FixWallGranEllipsoid::maxsize_restart() {
+  const int largest = largest_row();
+  int of_all = largest;
+  MPI_Allreduce(&largest, &of_all, 1, MPI_INT, MPI_MAX, world);
+  return of_all;
 }
 
 /// The host's class of primitive walls keeps these values to itself.
@@ -213,9 +241,10 @@ void FixWallGranEllipsoid::post_force_mesh(int) {
 void FixWallGranEllipsoid::forget_far_contacts() {
   std::vector<char> is_near(static_cast<std::size_t>(atom->nlocal), 0);
   meshes_.for_each_particle([&](int i) { is_near[static_cast<std::size_t>(i)] = 1; });
+  contacts_.clear();
   for (std::size_t i = 0; i < is_near.size(); ++i)
     if (!is_near[i])
-      history_.forget(fix_history_primitive_->array_atom[i]);
+      history_.forget(history_of(static_cast<int>(i)));
 }
 
 /// Of the wall's surface at a point in space. A cylinder that is not shifted along its axis turns
@@ -239,25 +268,22 @@ bool FixWallGranEllipsoid::find_and_apply_contacts(int i) {
   if (contacts_.empty() && !may_touch)
     return false;
   may_touch = contacts_.empty() ? 0 : 1;
-  double* row = dnum() > 0 ? update_history(i) : nullptr;
+  const bool remembers = dnum() > 0;
+  const ellipsoid_host::WallHistory::Rows rows =
+      remembers ? history_of(i) : ellipsoid_host::WallHistory::Rows{};
+  if (remembers)
+    history_.assign(contacts_, rows, meshes_);
   const double weight = multicontact_weight(rule_, std::max(1, static_cast<int>(contacts_.size())));
   for (std::size_t k = 0; k < contacts_.size(); ++k)
-    apply(i, contacts_[k], row ? history_.values(row, k) : nullptr, weight);
+    apply(i, contacts_[k], remembers ? history_.values(rows, k) : nullptr, weight);
   return true;
 }
 
-/// Gives the contacts their former values; returns the particle's row of the history.
-double* FixWallGranEllipsoid::update_history(int i) {
-  if (static_cast<int>(contacts_.size()) > history_.slots())
-    error->one(FLERR,
-               ("Fix wall/gran/ellipsoid (id " + std::string(id) + "): atom " +
-                std::to_string(atom->tag[i]) + " touches at " + std::to_string(contacts_.size()) +
-                " places, setting 'contacts' allows " + std::to_string(history_.slots()) + "; " +
-                LCM::ContactsSetting::remedy(static_cast<int>(contacts_.size())))
-                   .c_str());
-  double* row = fix_history_primitive_->array_atom[i];
-  history_.assign(contacts_, row, meshes_);
-  return row;
+/// The slots of a particle's contacts with the wall, of this and of the last step.
+ellipsoid_host::WallHistory::Rows FixWallGranEllipsoid::history_of(int i) {
+  const bool has_more =
+      static_cast<int>(contacts_.size()) > history_.slots() || !more_history_.of(i).empty();
+  return {fix_history_primitive_->array_atom[i], has_more ? &more_history_.at(i) : &no_more_};
 }
 
 /// @param[in] weight of the force in the sum

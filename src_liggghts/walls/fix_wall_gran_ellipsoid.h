@@ -12,6 +12,7 @@ FixStyle(wall/gran/ellipsoid,FixWallGranEllipsoid)
 #include "ellipsoid_contact_caller.h"
 #include "has_law.h"
 #include "host_wall.h"
+#include "rows_of_particles.h"
 #include "update.h"
 #include "wall_contact_finder.h"
 #include "wall_history.h"
@@ -27,9 +28,11 @@ namespace LAMMPS_NS {
 /// and applies the contact models; the geometry and the history of the contacts are ours.
 class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
                              public ellipsoid_host::HasLaw,
+                             public ellipsoid_host::SendsRows,
                              public LIGGGHTS::ContactModels::EllipsoidContactCaller {
  public:
   FixWallGranEllipsoid(class LAMMPS* lmp, int narg, char** arg);
+  ~FixWallGranEllipsoid() override;
   void post_create() override;
   void pre_delete(bool unfixflag) override;
   void init() override;
@@ -39,6 +42,18 @@ class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
     begin_heat();
     FixWallGran::post_force(vflag);
   }
+
+  // of the contacts beyond the slots that each particle has
+  int largest_row() const override;
+  double memory_usage() override;
+  void copy_arrays(int from, int to, int) override { more_history_.copy(from, to); }
+  void set_arrays(int i) override { more_history_.empty(i); }
+  int pack_exchange(int i, double* buffer) override { return more_history_.pack(i, buffer); }
+  int unpack_exchange(int i, double* buffer) override { return more_history_.unpack(i, buffer); }
+  int pack_restart(int i, double* buffer) override { return more_history_.pack(i, buffer); }
+  void unpack_restart(int i, int set) override;
+  int size_restart(int i) override { return more_history_.packed_size(i); }
+  int maxsize_restart() override;
 
  protected:
   void post_force_primitive(int vflag) override;
@@ -51,6 +66,8 @@ class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
   ellipsoid::MulticontactRule rule_ = ellipsoid::MulticontactRule::sum;
   ellipsoid_host::WallMeshes meshes_;
   ellipsoid_host::WallHistory history_;
+  ellipsoid_host::RowsOfParticles more_history_;
+  ellipsoid_host::RowsOfParticles::Row no_more_; // stays empty
   std::unique_ptr<ellipsoid_host::WallContactFinder> finder_;
   std::vector<ellipsoid::WallContact> contacts_; // of one particle with the wall
   std::vector<char> may_touch_; // per owned particle: touched in the last step, or new lists
@@ -60,7 +77,7 @@ class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
   void forget_far_contacts();
   ellipsoid::Vector3 primitive_velocity(const ellipsoid::Vector3& point) const;
   bool find_and_apply_contacts(int particle);
-  double* update_history(int particle);
+  ellipsoid_host::WallHistory::Rows history_of(int particle);
   void apply(int particle, const ellipsoid::WallContact& contact, double* history, double weight);
   void prepare_for_mesh(int particle, const ellipsoid::WallContact& contact, FixMeshSurface* mesh,
                         LCM::SurfacesIntersectData& data);

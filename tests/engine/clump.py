@@ -135,6 +135,25 @@ class Insertion(unittest.TestCase):
         self.assertAlmostEqual(columns["radius"][-1][0],
                                (np.linalg.norm(body[:, :3], axis=1) + body[:, 3]).max(), delta=1e-15)
 
+    def test_a_region_is_filled_up_by_volume(self):
+        """`volumefraction_region` counts the volume of the union, also of those that are there already; so does
+        `compute property/atom volume`."""
+        write_spheres("hook.csv", HOOK)
+        pack = insertion(TEMPLATE + "clump hook.csv", 0).replace("insert_every once", "insert_every 1").replace(
+            "particles_in_region 0", "volumefraction_region 0.08").replace("unfix fill\n", "")
+        half = "variable even atom id%2\ngroup even variable even\ndelete_atoms group even\n"
+        columns = COLUMNS + ["c_body[1]", "c_body[2]"]
+        run(setup().without_particles() + pack.replace("run 1\n", "compute body all property/atom volume eqradius\n")
+            + "fix motion all nve/ellipsoid\n"
+            + "".join(f"run 1\nwrite_dump all custom {name}.dump {' '.join(columns)}\n{after}"
+                      for name, after in (("first", half), ("second", ""))))
+        for name in ("first", "second"):
+            mass, volume, radius = (read_dump(f"{name}.dump")[1][c][-1] for c in ("mass", "c_body[1]", "c_body[2]"))
+            np.testing.assert_allclose(volume, mass / DENSITY, rtol=1e-4)  # dumped with six digits
+            np.testing.assert_allclose(4.0 / 3.0 * math.pi * radius ** 3, volume, rtol=1e-4)
+            print(f"{name}: {len(mass)} clumps, {mass.sum() / DENSITY / 0.03 ** 3:.4f} of the region")
+            self.assertLess(abs(mass.sum() / DENSITY - 0.08 * 0.03 ** 3), 1.01 * mass[0] / DENSITY)
+
 
 class Files(unittest.TestCase):
     """Restart, data files, ranks."""

@@ -1,17 +1,18 @@
 """Contact histories that the host's own lists would lose or mix up: of several images of one partner that touch at
-the same time, in a short periodic box, of a particle and its own image, and of multi-spheres that touch at more places
-than `contacts` says.
+the same time, in a short periodic box, of a particle and its own image, and of multi-spheres that touch each other, or a
+wall, at more places than `contacts` says.
 
 Brute force (_brute_force.py), and the same run with room for all, are what it is compared with.
 """
 
 import unittest
+from pathlib import Path
 
 import numpy as np
 
-from _brute_force import REPLAYED, BruteForce, Law, replay
-from _engine import Particle, Setup, dump, quaternion_of, read_dump, rotation, run, vectors
-from _multisphere import multisphere_setup, pair_contacts, subspheres
+from _brute_force import REPLAYED, BruteForce, Law, Plane, replay
+from _engine import LAW, Particle, Setup, dump, quaternion_of, read_dump, rotation, run, vectors
+from _multisphere import SURFACE, multisphere_setup, pair_contacts, subspheres, wall
 
 STEPS, TIME_STEP = 60, 1e-6
 FORM = " ".join("%d" if c in ("id", "type") else "%.17g" for c in REPLAYED)
@@ -139,6 +140,66 @@ class MoreContactsThanSlots(unittest.TestCase):
 
     def test_restart(self):
         go_on_from_restart(self.text(0).replace("processors 2 1 1\n", ""))
+
+
+class MoreWallContactsThanSlots(unittest.TestCase):
+    """Chains of 101 spheres that lie on a floor slide across the border of ranks; one stands first, and is deleted."""
+
+    COUNT, FLOOR = 101, 1e-5
+
+    def text(self, slots, floor):
+        a, b, _ = MoreContactsThanSlots.AXES
+        turned = quaternion_of((0.0, 0.0, 1.0), 0.7)
+        bodies = [Particle((0.0, 9e-3 * k, self.FLOOR + b - 4e-5 + 1e-5 * k), (a, b, b), turned, mass=2e-3,
+                           velocity=(0.7 + 0.2 * k, 0.3, 0.01), omega=(20.0, 10.0, -60.0)) for k in (-1, 0, 1)]
+        for body in bodies[1:]:
+            body.position = (-2e-5, *body.position[1:])
+        setup = multisphere_setup()
+        text = setup.with_particles(bodies).replace("newton", "processors 2 1 1\nnewton") + subspheres(self.COUNT)
+        if floor == "plane":
+            return text + wall("floor", "zplane", self.FLOOR, f"contacts {slots}")
+        triangles = [((-0.03, -0.03), (0.03, -0.03), (0.03, 0.03)), ((-0.03, -0.03), (0.03, 0.03), (-0.03, 0.03))]
+        Path("floor.stl").write_text("solid floor\n" + "".join(
+            "facet normal 0 0 1\nouter loop\n" + "".join(f"vertex {x} {y} {self.FLOOR}\n" for x, y in t)
+            + "endloop\nendfacet\n" for t in triangles) + "endsolid floor\n")
+        return text + (f"fix cad all mesh/surface file floor.stl type 1\nfix floor all wall/gran/ellipsoid {LAW} {SURFACE} "
+                       f"mesh n_meshes 1 meshes cad contacts {slots}\n")
+
+    def frames(self, name, text, ranks=1, runs=f"run {STEPS}\n"):
+        text = text if ranks > 1 else text.replace("processors 2 1 1\n", "")
+        text = with_dump(text, name, lists="every 1 delay 0 check yes").replace(f"run {STEPS}\n", runs)
+        run(text, ranks, name=f"in.{name}")
+        return frames_of(name)[1]
+
+    def test_brute_force(self):
+        for floor, ranks, slots in (("plane", 1, 1), ("plane", 2, 3), ("mesh", 1, 8), ("mesh", 2, 2)):
+            with self.subTest(floor=floor, ranks=ranks):
+                frames = self.frames(f"{floor}{ranks}", self.text(slots, floor), ranks)
+                self.assertGreater(frames[-1, 1:, 3].min(), 0.0)  # two bodies have crossed the border
+                brute = BruteForce(Law([(183e6, 0.2)], [[0.3]], [[100.0]], [[100.0]], TIME_STEP), (np.inf,) * 3,
+                                   [Plane((0.0, 0.0, -1.0), lambda time: (0.0, 0.0, self.FLOOR))])
+                largest = np.abs(frames[:, :, 19:25]).max((0, 1))
+                for k, (force, torque, _) in enumerate(replay(brute, frames, TIME_STEP, self.COUNT)):
+                    np.testing.assert_allclose(frames[k][:, 19:22], force, rtol=0, atol=1e-9 * largest[:3].max())
+                    np.testing.assert_allclose(frames[k][:, 22:25], torque, rtol=0, atol=1e-9 * largest[3:].max())
+                    if k > 0:  # springs begin with the first step
+                        of_each = np.bincount([key[0] for key in brute.springs])
+                        self.assertGreater(of_each[1:].min(), 8)
+
+    def test_deletion(self):
+        """Springs beyond the slots stay with their bodies when the first one is gone."""
+        runs = f"run {STEPS // 2}\ngroup gone id 1\ndelete_atoms group gone\nundump d\n"
+        after = f'dump d all custom 1 after.dump {" ".join(REPLAYED)}\ndump_modify d sort id format "{FORM}"\nrun 20\n'
+        found = []
+        for slots in (200, 2):
+            self.frames(f"deleted{slots}", self.text(slots, "plane"), runs=runs + after)
+            found.append(vectors(read_dump("after.dump")[1], *REPLAYED))
+        self.assertEqual(found[0].shape[1], 2)
+        np.testing.assert_array_equal(found[0], found[1])
+
+    def test_restart(self):
+        for floor in ("plane", "mesh"):
+            go_on_from_restart(self.text(2, floor).replace("processors 2 1 1\n", ""))
 
 
 if __name__ == "__main__":

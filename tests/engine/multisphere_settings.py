@@ -88,10 +88,6 @@ class Refusals(unittest.TestCase):
         pair = [Particle((0.0, 0.0, k * (2 * AXES[1] - depth) + AXES[1] - depth), AXES) for k in (0, 1)]
         return setup.with_particles(pair) + subspheres(17)
 
-    def test_more_contacts_with_a_wall_than_slots(self):
-        self.refused(self.flat_pair("") + wall("floor", "zplane", 0.0, "contacts 1") + "run 1\n",
-                     "floor", "atom 1", "setting 'contacts'", "or more")
-
     def test_history_larger_than_the_pages(self):
         """Of the host's neighbour lists: to be seen before the run, not as a crash in it."""
         self.refused(self.flat_pair("contacts 24") + "run 10\n", "contacts", "neigh_modify page", "240000")
