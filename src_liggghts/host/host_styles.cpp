@@ -128,8 +128,16 @@ constexpr UnsuitedStyles unsuited_styles[] = {
      "does nothing in this host; use 'displace_atoms GROUP rotate' or 'fix move rotate'"},
     {"command", "replicate",
      "copies spheres only; use 'fix insert/pack', or write the particles to a data file"},
-    {"command", "delete_bonds angle_style bond_style dihedral_style improper_style kspace_style",
+    {"command",
+     "delete_bonds angle_style bond_style dihedral_style improper_style kspace_style angle_coeff "
+     "bond_coeff dihedral_coeff improper_coeff kspace_modify special_bonds dielectric",
      "needs bonds or charges, which ellipsoids do not have; remove it"},
+    {"command", "min_style min_modify", "is for 'minimize', which knows no friction; remove it"},
+    {"command", "pair_modify pair_write",
+     "is for potentials, and contact laws have none; remove it"},
+    {"command", "suffix package", "chooses accelerated styles, which this host lacks; remove it"},
+    {"command", "mass",
+     "gives masses to types; use 'density' or 'mass' of the template, or 'set ... density'"},
 };
 
 bool is_word_of(const std::string& words, const std::string& word) {

@@ -3,6 +3,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "domain.h"
 #include "ellipsoid_host.h"
 #include "error.h"
 #include "fix.h"
@@ -11,6 +12,7 @@
 #include "host_styles.h"
 #include "lammps.h"
 #include "modify.h"
+#include "region.h"
 #include "spin.h"
 #include "update.h"
 
@@ -103,10 +105,23 @@ void warn_of_radius(LAMMPS* lmp, const Words& words) {
                                    .c_str());
 }
 
+/// The bounds of a region, and its volume, are those of the moment at which it was given.
+void check_region_of_insertion(LAMMPS* lmp, const Words& words) {
+  const auto keyword = std::find(words.begin(), words.end(), "region");
+  if (words[2].rfind("insert/", 0) != 0 || words.end() - keyword < 2)
+    return;
+  const int region = lmp->domain->find_region(const_cast<char*>((keyword + 1)->c_str()));
+  if (region >= 0 && lmp->domain->regions[region]->varshape)
+    refuse(lmp, "fix " + words[2] + " (id " + words[0] + ") in region '" + *(keyword + 1) + "'",
+           "fills a region of one shape, and this one's radius is a variable; use one region for "
+           "each run");
+}
+
 void check_fix(LAMMPS* lmp, const Words& words) {
   if (words.size() < 3)
     return;
   warn_of_radius(lmp, words);
+  check_region_of_insertion(lmp, words);
   refuse_style(lmp, "fix", words[2], words[0],
                words[2] == "wall/gran" ? converted("fix", words, 2) : "");
   if (lmp->modify->find_fix(words[0].c_str()) < 0)

@@ -301,6 +301,7 @@ class BadInput(unittest.TestCase):
         for content, words, expected in (
                 ("0 0 0 1\n1 0 0 0\n", "", "sphere 2 has the radius 0"),
                 ("0 0 0 1\n3 0 0 1\n", "", "2 bodies apart"),
+                ("0 0 0 1\n1 0 0 1\n0 0 0 1.0\n", "", "spheres 1 and 3 are equal"),
                 ("0 0 0 1\n" * 300000, "", "300000 spheres; allowed are 1 to 9999"),
                 ("0 0 0 1\n1 0 0\n", "", "line 2: 3 values"),
                 ("", "", "it is empty"),

@@ -88,6 +88,19 @@ class HostSettings(unittest.TestCase):
         for boundary in ("s s s", "m p f", "p p fm"):
             self.check(script(boundary=boundary), 2 if boundary == "s s s" else 1, boundary, least=5 * STEPS)
 
+    def test_commands_that_know_nothing_of_shapes(self):
+        """All in one script, after a scene that `clear` has left; a loop, a file that is included."""
+        Path("more.in").write_text("thermo_log thermo.log\nmodify_timing on\nsoft_particles yes\nlattice sc 0.001\n"
+                                   "compute_modify thermo_temp dynamic yes\nfix_modify motion energy no\ntimestep 1e-6\n")
+        more = ("label again\nvariable k loop 3\ninclude more.in\nshell mkdir -p folder\nnext k\njump SELF again\n"
+                f'if "3 > 2" then "print three" else "quit"\ntimestep {TIME_STEP!r}\nwrite_restart_on_signal yes\n'
+                "restart 1000 signal.*\necho log\nlog other.log append\npartition yes 1 thermo 5\n")
+        before = script("run 3\n").replace("crowd.data", "before.data")
+        Path("before.data").write_text(Path("crowd.data").read_text())
+        self.check(before + "clear\n" + script(more.replace("next k\njump SELF again\n", "").replace(
+            "label again\nvariable k loop 3\n", "")))
+        self.check(script(more.replace("include more.in\n", "")), 2)
+
     def test_frozen_bodies(self):
         """They bear no force, and count as infinitely heavy in the dashpots of those that they touch."""
         text = script("group cold id 1 2 3 7\nvelocity cold set 0 0 0\nset group cold omegax 0 omegay 0 omegaz 0\n"

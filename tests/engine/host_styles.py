@@ -73,6 +73,13 @@ class HostStyles(unittest.TestCase):
         self.assertGreater(total, 200)
         self.assertEqual(missing, [])
 
+    def test_every_command_of_the_input_is_on_the_page(self):
+        """Those that are no styles: what Input::execute_command() compares a command with."""
+        commands = set(re.findall(r'strcmp\(command, *"(\w+)"\)', (HOST / "input.cpp").read_text(errors="replace")))
+        page = PAGE.read_text()
+        self.assertGreater(len(commands), 50)
+        self.assertEqual([c for c in sorted(commands) if not re.search(f"`{c}[ `|]", page)], [])
+
     def test_refused_styles_are_refused_as_the_page_says(self):
         setup = Setup()
         start = setup.with_particles([Particle((0, 0, 0), (3e-3, 2e-3, 1e-3))], "refused.data")

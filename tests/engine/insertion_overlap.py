@@ -168,6 +168,22 @@ class InsertionOverlap(unittest.TestCase):
                     p = bodies.x[k] + (unit * bodies.axes[k]) @ bodies.turn[k].T
                     self.assertLessEqual(beyond(p).max(), 1e-12)
 
+    def test_regions_that_change_are_refused(self):
+        for region, message in (
+                ("sphere 0 0 0 v_size units box", "\\(id ia\\) in region 'cloud'.*use one region for each run"),
+                ("cylinder z 0 0 v_size -0.006 0.006 units box", "radius is a variable"),
+                ("block -0.006 0.006 -0.006 0.006 -0.006 0.006 move v_size NULL NULL units box", "dynamic regions")):
+            for name in ("cloud", "part"):
+                if name == "part" and "move" in region:
+                    continue  # the host refuses such unions by themselves
+                text = f"variable size equal 0.006-1e-5*step\nregion {name} {region}\n"
+                text += "" if name == "cloud" else "region cloud intersect 2 part box\n"
+                outcome = run(setup(box=(-0.012, 0.012) * 3).without_particles() + text
+                              + pack("a", body(1e-3, 6e-4, 5e-4), count=20) + "fix motion all nve/ellipsoid\nrun 1\n",
+                              check=False, name="in.changing")
+                (line,) = [line for line in outcome.text.splitlines() if line.startswith("ERROR")]
+                self.assertRegex(line, message)
+
     def mixture(self, count, every):
         text = setup(box=(-0.02, 0.02) * 3).without_particles() + BLOCK
         text += TEMPLATE.format(name="grain", seed=15485863, axes=body(4e-3, 2e-3, 2e-3))

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <tuple>
+#include <vector>
 
 namespace ellipsoid {
 namespace {
@@ -28,6 +30,24 @@ std::string number(double value) {
 
 double gap_between(const SphereSet& set, std::size_t k, std::size_t l) {
   return norm(set.centres[l] - set.centres[k]) - (set.radii[k] + set.radii[l]);
+}
+
+/// Two equal spheres would have each contact twice, and a body of twice the stiffness.
+void refuse_equal_spheres(const SphereSet& set) {
+  const auto numbers = [&](std::size_t k) {
+    const Vector3& c = set.centres[k];
+    return std::make_tuple(c.x, c.y, c.z, set.radii[k]);
+  };
+  std::vector<std::size_t> order(set.centres.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t k, std::size_t l) { return numbers(k) < numbers(l); });
+  const auto equal =
+      std::adjacent_find(order.begin(), order.end(),
+                         [&](std::size_t k, std::size_t l) { return numbers(k) == numbers(l); });
+  if (equal != order.end())
+    refuse("spheres " + std::to_string(*equal + 1) + " and " + std::to_string(*(equal + 1) + 1) +
+           " are equal, and each contact would count twice; leave one out");
 }
 
 bool are_connected(const SphereSet& set, std::size_t k, std::size_t l) {
@@ -59,6 +79,7 @@ void check_spheres(const SphereSet& set) {
              " and no larger distances are allowed: choose "
              "another unit");
   }
+  refuse_equal_spheres(set);
 }
 
 /// From each part's first sphere to all that can be reached.
