@@ -96,7 +96,7 @@ def equivalent_rows(means, tools):
         friction = friction_of_smooth(means, m["friction"], e["friction"], random)
         outside = float(np.isnan(friction).mean())
         outline = outline_of(tools, n)
-        row = {"subspheres": n, "multicontact": rule, "mu": mu, "runs": runs,
+        row = {"subspheres": n, "multicontact": rule, "mu": mu, "forces": f"{rule}, mu = {mu:g}", "runs": runs,
                "outline_rq_b": float(outline["outline_rq_b"]), "area_shape_factor": float(outline["area_shape_factor"]),
                "perimeter_shape_factor": float(outline["perimeter_shape_factor"]),
                "friction": m["friction"], "friction_error": e["friction"],
@@ -127,12 +127,12 @@ def print_tables(means, rows):
             m, e, runs = means[key]
             print(f"| {key[3]:g} | {runs} | {m['friction']:.3f} +- {2 * e['friction']:.3f} | {m['solid_fraction']:.3f} | "
                   f"{m['contacts_per_particle']:.2f} |")
-    print("\n| N | forces | runs | Rq / b | effective friction | solid fraction | smooth, mu + more: more | solid fraction |"
-          "\n|---|---|---|---|---|---|---|---|")
+    print("\n| N | forces | mu | runs | Rq / b | effective friction | solid fraction | smooth, mu + more: more | solid fraction |"
+          "\n|---|---|---|---|---|---|---|---|---|")
     for r in rows:
         more = (f"{r['more_friction']:+.3f} ({r['more_friction_low']:+.3f} to {r['more_friction_high']:+.3f}) | "
                 f"{r['solid_fraction_smooth']:.3f}" if "more_friction" in r else "outside of what was run | -")
-        print(f"| {r['subspheres']} | {r['multicontact']} | {r['runs']} | {r['outline_rq_b']:.4f} | {r['friction']:.3f} +- "
+        print(f"| {r['subspheres']} | {r['multicontact']} | {r['mu']:g} | {r['runs']} | {r['outline_rq_b']:.4f} | {r['friction']:.3f} +- "
               f"{2 * r['friction_error']:.3f} | {r['solid_fraction']:.3f} | {more} |")
 
 
@@ -151,8 +151,8 @@ def main(folder):
     write_rows(out / "equivalent.csv", found)
     if any("more_friction" in r for r in found):
         subprocess.run([tools, "plot", "curve", out / "equivalent.csv", "--x", "outline_rq_b", "--y", "more_friction",
-                        "--margin", "more_friction_margin", "--group", "multicontact", "-o", out / "roughness.svg",
-                        "--title", "Friction that a smooth ellipsoid needs more (a/b = 2.35, mu = 0.3)"], check=True)
+                        "--margin", "more_friction_margin", "--group", "forces", "-o", out / "roughness.svg",
+                        "--title", "Friction that a smooth ellipsoid needs more (a/b = 2.35)"], check=True)
 
 
 if __name__ == "__main__":
