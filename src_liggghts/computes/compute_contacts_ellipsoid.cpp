@@ -7,7 +7,7 @@
 #include "update.h"
 
 using namespace LAMMPS_NS;
-using LIGGGHTS::ContactCounts;
+using ellipsoid_host::ContactCounts;
 
 ComputeContactsEllipsoid::ComputeContactsEllipsoid(LAMMPS* lmp, int& iarg, int narg, char** arg)
     : Compute(lmp, iarg, narg, arg) {

@@ -71,16 +71,4 @@ class HostPairStyle : public LAMMPS_NS::PairGran {
 #endif
 };
 
-/// Takes the names of contact models from the arguments; -1 if one is unknown.
-inline std::int64_t select_models(int& narg, char**& arg, LAMMPS_NS::LAMMPS* lmp,
-                                  LAMMPS_NS::Force* force) {
-#ifdef ELLIPSOID_HOST_INL
-  static_cast<void>(force);
-  return LIGGGHTS::ContactModels::Factory::select(narg, arg, lmp);
-#else
-  static_cast<void>(lmp);
-  return LIGGGHTS::ContactModels::Factory::select(narg, arg, force->custom_contact_models);
-#endif
-}
-
 } // namespace ellipsoid_host

@@ -9,7 +9,7 @@
 
 #include <cstddef>
 
-namespace LIGGGHTS {
+namespace ellipsoid_host {
 
 /// Rows of `Width` numbers, owned particles first, then ghosts. Good until particles come, go or
 /// change places.
@@ -41,4 +41,4 @@ struct ParticleArrays {
   int owned = 0; ///< number of owned particles
 };
 
-} // namespace LIGGGHTS
+} // namespace ellipsoid_host

@@ -12,6 +12,7 @@ namespace ContactModels {
 
 using ellipsoid::BatchedLaw;
 using ellipsoid::LawKind;
+using ellipsoid_host::ModelSettings;
 
 namespace {
 

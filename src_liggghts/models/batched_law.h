@@ -12,10 +12,11 @@
 #include <string>
 #include <vector>
 
-namespace LIGGGHTS {
-
+namespace ellipsoid_host {
 class ModelSettings;
+}
 
+namespace LIGGGHTS {
 namespace ContactModels {
 
 class HostModels;
@@ -26,7 +27,7 @@ struct LawChoice {
   std::string obstacle; ///< why the models do not run in batches; empty: they do
 };
 
-LawChoice choose_laws(HostModels& models, const ModelSettings& settings);
+LawChoice choose_laws(HostModels& models, const ellipsoid_host::ModelSettings& settings);
 
 /// Material parameters per pair of types.
 class LawTables {

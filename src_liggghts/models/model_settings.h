@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace LIGGGHTS {
+namespace ellipsoid_host {
 
 /// The settings of the contact models as the command gave them: keywords with a value each, which
 /// the models have accepted before.
@@ -40,4 +40,4 @@ class ModelSettings {
   std::map<std::string, std::string> values_;
 };
 
-} // namespace LIGGGHTS
+} // namespace ellipsoid_host

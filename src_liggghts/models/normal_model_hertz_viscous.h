@@ -6,8 +6,8 @@
 NORMAL_MODEL(HERTZ_VISCOUS,hertz/viscous,40)
 // clang-format on
 #else
-#ifndef NORMAL_MODEL_HERTZ_VISCOUS_H_
-#define NORMAL_MODEL_HERTZ_VISCOUS_H_
+#ifndef LMP_NORMAL_MODEL_HERTZ_VISCOUS_H
+#define LMP_NORMAL_MODEL_HERTZ_VISCOUS_H
 
 #include "global_properties.h"
 #include "kernel_normal_model.h"

@@ -6,8 +6,8 @@
 NORMAL_MODEL(HOOKE_VISCOUS,hooke/viscous,41)
 // clang-format on
 #else
-#ifndef NORMAL_MODEL_HOOKE_VISCOUS_H_
-#define NORMAL_MODEL_HOOKE_VISCOUS_H_
+#ifndef LMP_NORMAL_MODEL_HOOKE_VISCOUS_H
+#define LMP_NORMAL_MODEL_HOOKE_VISCOUS_H
 
 #include "kernel_normal_model.h"
 

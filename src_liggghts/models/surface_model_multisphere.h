@@ -7,8 +7,8 @@
 SURFACE_MODEL(SURFACE_MULTISPHERE,multisphere,41)
 // clang-format on
 #else
-#ifndef SURFACE_MODEL_MULTISPHERE_H_
-#define SURFACE_MODEL_MULTISPHERE_H_
+#ifndef LMP_SURFACE_MODEL_MULTISPHERE_H
+#define LMP_SURFACE_MODEL_MULTISPHERE_H
 
 #include "contact_models.h"
 #include "ellipsoid_surface.h"

@@ -9,8 +9,8 @@
 SURFACE_MODEL(SURFACE_SMOOTH,smooth,40)
 // clang-format on
 #else
-#ifndef SURFACE_MODEL_SMOOTH_H_
-#define SURFACE_MODEL_SMOOTH_H_
+#ifndef LMP_SURFACE_MODEL_SMOOTH_H
+#define LMP_SURFACE_MODEL_SMOOTH_H
 
 #include "contact_models.h"
 #include "ellipsoid/ellipsoid_contact.h"

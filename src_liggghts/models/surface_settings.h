@@ -24,7 +24,10 @@ class ContactsSetting : public Setting {
   /// Slots are numbered by short integers.
   static constexpr int largest = std::numeric_limits<short>::max();
   /// The number in a command that the models have accepted.
-  static int in(const ModelSettings& settings) { return settings.number("contacts", standard); }
+  static int in(const ellipsoid_host::ModelSettings& settings) {
+    return settings.number("contacts", standard);
+  }
+
   ContactsSetting(std::string name, int value) : Setting(name, 1) { current_.setValue(value); }
 
   void registerTarget(int& target) { current_.registerTarget(target); }
@@ -52,7 +55,7 @@ class ContactsSetting : public Setting {
 class MulticontactSetting : public EnumSetting<ellipsoid::MulticontactRule> {
  public:
   /// The rule in a command that the models have accepted.
-  static ellipsoid::MulticontactRule in(const ModelSettings& settings) {
+  static ellipsoid::MulticontactRule in(const ellipsoid_host::ModelSettings& settings) {
     return settings.value("multicontact", "sum") == "average" ? ellipsoid::MulticontactRule::average
                                                               : ellipsoid::MulticontactRule::sum;
   }

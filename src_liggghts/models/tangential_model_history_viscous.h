@@ -6,8 +6,8 @@
 TANGENTIAL_MODEL(TANGENTIAL_HISTORY_VISCOUS,history/viscous,40)
 // clang-format on
 #else
-#ifndef TANGENTIAL_MODEL_HISTORY_VISCOUS_H_
-#define TANGENTIAL_MODEL_HISTORY_VISCOUS_H_
+#ifndef LMP_TANGENTIAL_MODEL_HISTORY_VISCOUS_H
+#define LMP_TANGENTIAL_MODEL_HISTORY_VISCOUS_H
 
 #include "atom.h"
 #include "contact_models.h"

@@ -20,10 +20,10 @@
 #include <vector>
 
 using namespace LAMMPS_NS;
+using ellipsoid_host::ParticleArrays;
 using ellipsoid_host::quaternion;
 using ellipsoid_host::store;
 using ellipsoid_host::vector;
-using LIGGGHTS::ParticleArrays;
 
 namespace {
 

@@ -58,7 +58,7 @@ class FixNVEEllipsoid : public FixNVE {
   template <class Action> void for_each_atom(Action action) const;
   template <class Step> void step_in_plane(int i, Step step) const;
   class FixPropertyAtom* find_derivatives(const char* what) const;
-  void turn_waiting(const LIGGGHTS::ParticleArrays& particles);
+  void turn_waiting(const ellipsoid_host::ParticleArrays& particles);
   std::size_t inverse_inertia_size() const;
   void know_inertia();
   int candidate_count() const;

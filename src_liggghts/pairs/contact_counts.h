@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #pragma once
 
-namespace LIGGGHTS {
+namespace ellipsoid_host {
 
 /// What the contact search did in a time step, on this rank: pairs of owned particles count once,
 /// pairs with a ghost half on each of the two ranks that have it.
@@ -19,4 +19,4 @@ struct ContactCounts {
   double values[item_count] = {};
 };
 
-} // namespace LIGGGHTS
+} // namespace ellipsoid_host

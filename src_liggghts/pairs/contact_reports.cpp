@@ -11,9 +11,9 @@
 #include <algorithm>
 
 using namespace LAMMPS_NS;
-using namespace LIGGGHTS;
-using ContactModels::ForceData;
-using ContactModels::SurfacesIntersectData;
+using namespace ellipsoid_host;
+using LIGGGHTS::ContactModels::ForceData;
+using LIGGGHTS::ContactModels::SurfacesIntersectData;
 
 void ContactReports::begin_step(bool for_list) {
   for_list_ = for_list;

@@ -12,7 +12,7 @@ class FixContactPropertyAtom;
 class PairGranEllipsoid;
 } // namespace LAMMPS_NS
 
-namespace LIGGGHTS {
+namespace ellipsoid_host {
 
 class ContactReports : private LAMMPS_NS::Pointers {
  public:
@@ -27,16 +27,17 @@ class ContactReports : private LAMMPS_NS::Pointers {
 
   /// @param[in] force_i, force_j what the contact adds to both
   /// @param[in] owns_j this rank sums up the forces on j
-  void add(ContactModels::SurfacesIntersectData contact, const ContactModels::ForceData& force_i,
-           const ContactModels::ForceData& force_j, bool owns_j);
+  void add(LIGGGHTS::ContactModels::SurfacesIntersectData contact,
+           const LIGGGHTS::ContactModels::ForceData& force_i,
+           const LIGGGHTS::ContactModels::ForceData& force_j, bool owns_j);
 
  private:
   LAMMPS_NS::PairGranEllipsoid& pair_;
   bool for_list_ = false, are_wanted_ = false;
 
   void store_partner(LAMMPS_NS::FixContactPropertyAtom* fix, int i, int j,
-                     const ContactModels::ForceData& force);
-  void store_stress_partner(int i, int j, const ContactModels::ForceData& force);
+                     const LIGGGHTS::ContactModels::ForceData& force);
+  void store_stress_partner(int i, int j, const LIGGGHTS::ContactModels::ForceData& force);
 };
 
-} // namespace LIGGGHTS
+} // namespace ellipsoid_host

@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace LIGGGHTS {
+namespace ellipsoid_host {
 
 class EllipsoidShapes {
  public:
@@ -62,9 +62,9 @@ class EllipsoidShapes {
     const auto index = static_cast<std::size_t>(i);
     fresh_[index] = 1;
     ++asked_for_;
-    shapes_[index] = ellipsoid::make_shape(ellipsoid_host::vector(particles_.shape[i]),
-                                           ellipsoid_host::quaternion(particles_.quaternion[i]));
+    shapes_[index] =
+        ellipsoid::make_shape(vector(particles_.shape[i]), quaternion(particles_.quaternion[i]));
   }
 };
 
-} // namespace LIGGGHTS
+} // namespace ellipsoid_host

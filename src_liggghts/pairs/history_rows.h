@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace LIGGGHTS {
+namespace ellipsoid_host {
 
 class HistoryRows {
  public:
@@ -50,4 +50,4 @@ class HistoryRows {
   int length_ = 0, used_ = 0;
 };
 
-} // namespace LIGGGHTS
+} // namespace ellipsoid_host

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace LIGGGHTS {
+namespace ellipsoid_host {
 
 /// Contact histories of pairs beyond the room that the host's lists give each pair: few pairs have
 /// any. They last as long as the lists (fix_contacthistory_ellipsoid.h keeps them from one to the
@@ -37,4 +37,4 @@ class MoreHistory {
   std::unordered_map<std::uint32_t, Values> of_pairs_;
 };
 
-} // namespace LIGGGHTS
+} // namespace ellipsoid_host

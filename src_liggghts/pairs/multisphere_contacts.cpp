@@ -14,11 +14,10 @@
 #include <cstdlib>
 #include <string>
 
-namespace LIGGGHTS {
+namespace ellipsoid_host {
 
 using namespace LAMMPS_NS;
 using ellipsoid::Vector3;
-using ellipsoid_host::vector;
 
 MultisphereContacts::MultisphereContacts(LAMMPS* lmp, PairGranEllipsoid& pair)
     : Pointers(lmp), pair_(pair), chains_(lmp) {
@@ -28,8 +27,8 @@ MultisphereContacts::MultisphereContacts(LAMMPS* lmp, PairGranEllipsoid& pair)
 
 void MultisphereContacts::read_settings(const ModelSettings& settings) {
   slot_values_ = pair_.dnum_pair();
-  slots_ = ContactModels::ContactsSetting::in(settings);
-  rule_ = ContactModels::MulticontactSetting::in(settings);
+  slots_ = LIGGGHTS::ContactModels::ContactsSetting::in(settings);
+  rule_ = LIGGGHTS::ContactModels::MulticontactSetting::in(settings);
   pair_.repeat_history(slots_);
 }
 
@@ -147,7 +146,7 @@ void MultisphereContacts::add_contacts(const NearPair& pair, const Vector3& dist
                                        PairForces& forces) {
   counts_.values[ContactCounts::touching_pairs] += share(pair.j);
   counts_.values[ContactCounts::contacts] += share(pair.j) * found_;
-  *pair.flag = ContactModels::CONTACT_SURFACE_MODEL;
+  *pair.flag = LIGGGHTS::ContactModels::CONTACT_SURFACE_MODEL;
   const double weight = multicontact_weight(rule_, found_);
   for (int k = 0; k < found_; ++k) {
     const ellipsoid::NearSpheres::Touching& touching = touching_[static_cast<std::size_t>(k)];
@@ -232,4 +231,4 @@ void MultisphereContacts::complain_of_slots(const NearPair& pair) const {
   std::abort(); // not reached: the call above ends the program
 }
 
-} // namespace LIGGGHTS
+} // namespace ellipsoid_host

@@ -19,7 +19,7 @@
 #include <limits>
 #include <vector>
 
-namespace LIGGGHTS {
+namespace ellipsoid_host {
 
 class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
  public:
@@ -40,7 +40,7 @@ class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers 
 
   LAMMPS_NS::PairGranEllipsoid& pair_;
   ParticleArrays particles_;
-  ellipsoid_host::MultisphereParticles chains_;
+  MultisphereParticles chains_;
   NeighbourPairs pairs_{NeighbourPairs::Histories::of_all};
   double listed_pairs_ = 0.0, near_pairs_ = 0.0;
   ContactCounts counts_;
@@ -69,4 +69,4 @@ class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers 
   double share(int j) const { return j < particles_.owned ? 1.0 : 0.5; }
 };
 
-} // namespace LIGGGHTS
+} // namespace ellipsoid_host

@@ -15,7 +15,7 @@
 #include <cmath>
 
 using namespace LAMMPS_NS;
-using LIGGGHTS::ParticleArrays;
+using ellipsoid_host::ParticleArrays;
 
 namespace ellipsoid_host {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace LIGGGHTS {
+namespace ellipsoid_host {
 
 /// Two particles of the neighbour lists, and where the host keeps what is remembered of them.
 struct NearPair {
@@ -23,4 +23,4 @@ struct Contact {
   int sphere_i, sphere_j; ///< numbers of the touching sub-spheres from 0; -1: none
 };
 
-} // namespace LIGGGHTS
+} // namespace ellipsoid_host

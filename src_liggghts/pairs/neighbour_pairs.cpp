@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-using namespace LIGGGHTS;
+using namespace ellipsoid_host;
 
 namespace {
 

@@ -17,7 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace LIGGGHTS {
+namespace ellipsoid_host {
 
 class NeighbourPairs {
  public:
@@ -204,4 +204,4 @@ class NeighbourPairs {
   }
 };
 
-} // namespace LIGGGHTS
+} // namespace ellipsoid_host

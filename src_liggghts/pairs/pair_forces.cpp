@@ -10,13 +10,11 @@
 
 #include <cmath>
 
-namespace LIGGGHTS {
+namespace ellipsoid_host {
 
 using namespace LAMMPS_NS;
-using namespace ContactModels;
+using namespace LIGGGHTS::ContactModels;
 using ellipsoid::LawKind;
-using ellipsoid_host::store;
-using ellipsoid_host::vector;
 
 void PairForces::read_settings(const ModelSettings& settings) {
   choice_ = choose_laws(models_, settings);
@@ -280,4 +278,4 @@ SurfacesIntersectData PairForces::record(const Contact& contact, int k) const {
   return c;
 }
 
-} // namespace LIGGGHTS
+} // namespace ellipsoid_host

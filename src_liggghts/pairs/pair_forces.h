@@ -13,14 +13,14 @@
 
 #include <string>
 
-namespace LIGGGHTS {
+namespace ellipsoid_host {
 
 class ModelSettings;
 
 class PairForces : private LAMMPS_NS::Pointers {
  public:
   PairForces(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::PairGranEllipsoid& pair,
-             ContactModels::HostModels& models)
+             LIGGGHTS::ContactModels::HostModels& models)
       : Pointers(lmp), pair_(pair), models_(models), reports_(lmp, pair) {}
 
   void read_settings(const ModelSettings& settings);
@@ -55,7 +55,7 @@ class PairForces : private LAMMPS_NS::Pointers {
 
  private:
   LAMMPS_NS::PairGranEllipsoid& pair_;
-  ContactModels::HostModels& models_;
+  LIGGGHTS::ContactModels::HostModels& models_;
   ContactReports reports_;
   ParticleArrays particles_;
   bool newton_ = false;
@@ -65,12 +65,12 @@ class PairForces : private LAMMPS_NS::Pointers {
 
   ellipsoid::ContactLawBatch batch_;
   Contact added_[ellipsoid::ContactLawBatch::capacity];
-  ContactModels::LawChoice choice_;
-  ContactModels::LawTables tables_;
+  LIGGGHTS::ContactModels::LawChoice choice_;
+  LIGGGHTS::ContactModels::LawTables tables_;
   int law_flags_ = 0;                            // that there is a contact, per kind of model
   int spring_offset_ = -1, rolling_offset_ = -1; // in the history of a contact; -1: no memory
 
-  ContactModels::SurfacesIntersectData common_data() const;
+  LIGGGHTS::ContactModels::SurfacesIntersectData common_data() const;
   double mass(int i) const;
   ellipsoid::PairMasses masses(int i, int j) const;
   ellipsoid::Vector3 centre_distance(int i, int j) const;
@@ -84,8 +84,8 @@ class PairForces : private LAMMPS_NS::Pointers {
   template <bool in_plane> void add_action(const Contact& contact, int k);
   void report_action(const Contact& contact, int k);
   void apply_by_models(const Contact* contacts);
-  ContactModels::SurfacesIntersectData record(const Contact& contact, int k) const;
-  void add_force(int i, const ContactModels::ForceData& force);
+  LIGGGHTS::ContactModels::SurfacesIntersectData record(const Contact& contact, int k) const;
+  void add_force(int i, const LIGGGHTS::ContactModels::ForceData& force);
 };
 
-} // namespace LIGGGHTS
+} // namespace ellipsoid_host

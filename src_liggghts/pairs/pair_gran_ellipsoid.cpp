@@ -10,6 +10,7 @@
 #include "fix_contacthistory_ellipsoid.h"
 #include "force.h"
 #include "host_models.h"
+#include "model_names.h"
 #include "model_settings.h"
 #include "modify.h"
 #include "multisphere_contacts.h"
@@ -32,8 +33,9 @@
 #include <vector>
 
 using namespace LAMMPS_NS;
-using namespace LIGGGHTS;
 using namespace LIGGGHTS::ContactModels;
+using namespace ellipsoid_host;
+using LIGGGHTS::IContactHistorySetup;
 
 namespace {
 
@@ -109,7 +111,7 @@ int64_t PairGranEllipsoid::hashcode() { return models_->hashcode(); }
 void* PairGranEllipsoid::extract(const char* what, int& dimension) {
   dimension = 0;
   if (std::strcmp(what, "contacts") == 0)
-    return &counts_.values[LIGGGHTS::ContactCounts::contacts];
+    return &counts_.values[ContactCounts::contacts];
   return PairGran::extract(what, dimension);
 }
 
@@ -143,7 +145,7 @@ void PairGranEllipsoid::settings(int narg, char** arg) {
                       "before the second");
   for (int k = 0; k < narg; ++k)
     arguments_ += (k ? " " : "") + std::string(arg[k]);
-  const int64_t variant = ellipsoid_host::select_models(narg, arg, lmp, force);
+  const int64_t variant = select_models(narg, arg, lmp, force);
   if (variant == -1)
     error->all(FLERR, "pair_style gran/ellipsoid: unknown contact model; allowed are the host's "
                       "and this package's, in the order model, tangential, cohesion, "
@@ -202,7 +204,7 @@ void PairGranEllipsoid::init_style() {
                       "does not have the settings of this command; repeat it after read_restart");
   save_contact_history();
   check_pages();
-  ellipsoid_host::check_particles(lmp, "pair_style gran/ellipsoid");
+  check_particles(lmp, "pair_style gran/ellipsoid");
   PairGran::init_style();
   shorten_lists();
   if (store_multicontact_data_)

@@ -18,9 +18,12 @@ PairStyle(gran/ellipsoid,PairGranEllipsoid)
 #include <memory>
 #include <string>
 
-namespace LIGGGHTS {
+namespace ellipsoid_host {
 class PairForces;
 class SurfaceContacts;
+} // namespace ellipsoid_host
+
+namespace LIGGGHTS {
 namespace ContactModels {
 class HostModels;
 }
@@ -48,7 +51,7 @@ class PairGranEllipsoid : public ellipsoid_host::HostPairStyle,
   const std::string& arguments() const { return arguments_; }
 
   /// What the contact search did in the last time step, on this rank.
-  const LIGGGHTS::ContactCounts& counts() const { return counts_; }
+  const ellipsoid_host::ContactCounts& counts() const { return counts_; }
   /// Gives the history registered so far `times` slots in all.
   void repeat_history(int times);
   /// Of a pair that touches.
@@ -73,19 +76,19 @@ class PairGranEllipsoid : public ellipsoid_host::HostPairStyle,
   bool changes_sign(int k) const {
     return history_arg[static_cast<std::size_t>(k) % history_arg.size()].newtonflag == "1";
   }
-  LIGGGHTS::MoreHistory& more_history() { return more_history_; }
+  ellipsoid_host::MoreHistory& more_history() { return more_history_; }
 
  protected:
   void add_forces(int eflag, int vflag, bool for_list) override;
   void read_settings_again(FILE* file) override;
 
  private:
-  std::unique_ptr<LIGGGHTS::SurfaceContacts> contacts_;
+  std::unique_ptr<ellipsoid_host::SurfaceContacts> contacts_;
   std::unique_ptr<LIGGGHTS::ContactModels::HostModels> models_;
-  std::unique_ptr<LIGGGHTS::PairForces> forces_;
-  LIGGGHTS::MoreHistory more_history_;
+  std::unique_ptr<ellipsoid_host::PairForces> forces_;
+  ellipsoid_host::MoreHistory more_history_;
   class FixContactHistoryEllipsoid* history_keeper_ = nullptr;
-  LIGGGHTS::ContactCounts counts_;
+  ellipsoid_host::ContactCounts counts_;
   ellipsoid_host::NearCandidates near_candidates_;
   bool bins_serve_badly_ = false;
   std::string arguments_; // empty: of an older restart file, which does not have them

@@ -10,12 +10,10 @@
 
 #include <cmath>
 
-namespace LIGGGHTS {
+namespace ellipsoid_host {
 
 using namespace LAMMPS_NS;
 using ellipsoid::Vector3;
-using ellipsoid_host::store;
-using ellipsoid_host::vector;
 
 SmoothContacts::SmoothContacts(LAMMPS* lmp, PairGranEllipsoid& pair) : Pointers(lmp), pair_(pair) {
   for (const char* component : {"normalx", "normaly", "normalz"})
@@ -245,7 +243,7 @@ __attribute__((noinline)) void SmoothContacts::search_together(PairForces& force
       close(contact, forces);
       contact.history = nullptr;
     } else if (!flags_are_set_) {
-      *contact.flag |= ContactModels::CONTACT_SURFACE_MODEL;
+      *contact.flag |= LIGGGHTS::ContactModels::CONTACT_SURFACE_MODEL;
     }
   }
   forces.apply_found(batch_, in_search_, flags_are_set_);
@@ -300,7 +298,7 @@ __attribute__((noinline)) bool SmoothContacts::search_alone(NearPair& pair, Pair
     defer(pair, -found.overlap, found.normal);
     return false;
   }
-  *pair.flag |= ContactModels::CONTACT_SURFACE_MODEL;
+  *pair.flag |= LIGGGHTS::ContactModels::CONTACT_SURFACE_MODEL;
   if (is_time_step_)
     pair.history[was_touching] = 1.0;
   forces.add(contact,
@@ -341,4 +339,4 @@ void SmoothContacts::count(const SearchCounts& counts) {
   counts_.values[ContactCounts::not_converged] += counts.not_converged;
 }
 
-} // namespace LIGGGHTS
+} // namespace ellipsoid_host

@@ -19,7 +19,7 @@
 
 #include <vector>
 
-namespace LIGGGHTS {
+namespace ellipsoid_host {
 
 class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
  public:
@@ -92,4 +92,4 @@ class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
   double share(int j) const { return j < particles_.owned ? 1.0 : 0.5; }
 };
 
-} // namespace LIGGGHTS
+} // namespace ellipsoid_host

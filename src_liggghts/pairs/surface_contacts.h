@@ -4,7 +4,7 @@
 #include "contact_counts.h"
 #include "history_rows.h"
 
-namespace LIGGGHTS {
+namespace ellipsoid_host {
 
 class PairForces;
 class ModelSettings;
@@ -30,4 +30,4 @@ class SurfaceContacts {
   virtual void histories_are_kept(bool all) { static_cast<void>(all); }
 };
 
-} // namespace LIGGGHTS
+} // namespace ellipsoid_host

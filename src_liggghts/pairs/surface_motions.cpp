@@ -6,7 +6,7 @@
 #include "multisphere/motion_batch.h"
 #include "particle_arrays.h"
 
-using namespace LIGGGHTS;
+using namespace ellipsoid_host;
 
 void SurfaceMotions::restart(const LAMMPS_NS::Atom& atom, double time_step, std::size_t count) {
   const ParticleArrays particles(atom);
@@ -18,9 +18,8 @@ void SurfaceMotions::restart(const LAMMPS_NS::Atom& atom, double time_step, std:
     const int i = static_cast<int>(k);
     const double* axes = particles.shape[i];
     turning_radii_[k] = ellipsoid::turning_radius(axes[0], axes[1], axes[2]);
-    clocks_.expect(
-        k, {time_step * ellipsoid_host::vector(particles.v[i]),
-            time_step * turning_radii_[k] * norm(ellipsoid_host::vector(particles.omega[i]))});
+    clocks_.expect(k, {time_step * vector(particles.v[i]),
+                       time_step * turning_radii_[k] * norm(vector(particles.omega[i]))});
   }
 }
 

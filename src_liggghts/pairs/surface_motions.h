@@ -11,7 +11,7 @@ namespace LAMMPS_NS {
 class Atom;
 }
 
-namespace LIGGGHTS {
+namespace ellipsoid_host {
 
 class SurfaceMotions {
  public:
@@ -29,4 +29,4 @@ class SurfaceMotions {
   void restart(const LAMMPS_NS::Atom& atom, double time_step, std::size_t count);
 };
 
-} // namespace LIGGGHTS
+} // namespace ellipsoid_host

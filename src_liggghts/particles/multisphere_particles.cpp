@@ -152,7 +152,7 @@ bool MultisphereParticles::update() {
 
 void MultisphereParticles::begin_lists(std::size_t count) {
   poses_.resize(count);
-  const double* centres = LIGGGHTS::ParticleArrays(*atom).x[0];
+  const double* centres = ParticleArrays(*atom).x[0];
   centres_.assign(centres, centres + 3 * count);
   clocks_.restart(count);
   const double time_step = lmp->update->dt;
@@ -165,7 +165,7 @@ void MultisphereParticles::begin_lists(std::size_t count) {
 }
 
 void MultisphereParticles::move() {
-  const LIGGGHTS::ParticleArrays particles(*atom);
+  const ParticleArrays particles(*atom);
   clocks_.advance_all([&](std::size_t first, ellipsoid::Motions& motions) {
     const int i = static_cast<int>(first);
     ellipsoid::measure_motions({particles.shape[i], particles.x[i], particles.quaternion[i],

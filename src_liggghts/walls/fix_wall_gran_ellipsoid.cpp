@@ -13,7 +13,7 @@
 #include "neighbor.h"
 #include "primitive_wall.h"
 #include "surface_settings.h"
-#include "wall_law.h"
+#include "wall_command.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,30 +29,6 @@ using ellipsoid_host::WallMeshes;
 
 namespace {
 
-using Reader = ellipsoid_host::ArgumentReader;
-
-void check_primitive(LAMMPS* lmp, Reader& reader) {
-  reader.choice("primitive", {"type"});
-  reader.integer("type", 1, lmp->atom->ntypes);
-  const std::vector<std::string> shapes{"xplane",    "yplane",    "zplane",
-                                        "xcylinder", "ycylinder", "zcylinder"};
-  const auto shape = static_cast<std::size_t>(reader.choice("primitive type T", shapes));
-  if (shape >= 3)
-    reader.positive(shapes[shape]);
-  for (int k = 0; k < (shape < 3 ? 1 : 2); ++k)
-    reader.number(shapes[shape], -HUGE_VAL, HUGE_VAL);
-}
-
-void check_meshes(LAMMPS* lmp, Reader& reader, int count) {
-  for (int k = 0; k < count; ++k) {
-    const std::string mesh = reader.word("meshes");
-    const int fix = lmp->modify->find_fix(mesh.c_str());
-    if (fix < 0 || std::strncmp(lmp->modify->fix[fix]->style, "mesh/surface", 12) != 0)
-      reader.complain("keyword 'meshes' has the value '" + mesh +
-                      "', allowed are ids of fix mesh/surface; define the mesh before the wall");
-  }
-}
-
 /// The host keeps the name of the command in work for classes derived from its own.
 struct CommandInWork : Input {
   static const char* name(Input& input) { return input.*(&CommandInWork::command); }
@@ -63,34 +39,15 @@ bool is_work_of(Input& input, const char* command) {
   return name && std::strcmp(name, command) == 0;
 }
 
-/// The host reads these arguments without looking whether the words are there, and says little
-/// about wrong ones; so they are checked before it does. Returns `arg`.
-char** checked(LAMMPS* lmp, int narg, char** arg) {
-  Reader reader(lmp->error, "wall/gran/ellipsoid", arg[0], narg, arg, 3);
-  constexpr int most_meshes = 1000;
-  int meshes = 0;
-  bool has_mesh = false, lists_meshes = false;
-  while (!reader.done()) {
-    const std::string keyword = reader.keyword();
-    has_mesh = has_mesh || keyword == "mesh";
-    lists_meshes = lists_meshes || keyword == "meshes";
-    if (keyword == "primitive")
-      check_primitive(lmp, reader);
-    else if (keyword == "n_meshes")
-      meshes = reader.integer("n_meshes", 1, most_meshes);
-    else if (keyword == "meshes")
-      check_meshes(lmp, reader, meshes);
-  }
-  if (has_mesh && !lists_meshes)
-    reader.complain("'mesh' names no meshes; add 'n_meshes N meshes ID1 ... IDN'");
-  return arg;
-}
-
 } // namespace
 
 FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg)
-    : HostWall(lmp, narg, checked(lmp, narg, arg)),
-      law_(ellipsoid_host::wall_law({arg + 3, arg + narg})), meshes_(lmp) {
+    : FixWallGranEllipsoid(lmp, narg, arg, ellipsoid_host::check_wall_command(lmp, narg, arg)) {}
+
+FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg,
+                                           const ellipsoid_host::WallCylinder& cylinder)
+    : HostWall(lmp, narg, arg), // which leaves iarg_ where the settings of the models begin
+      law_(ellipsoid_host::wall_law(lmp, narg, arg, iarg_)), cylinder_(cylinder), meshes_(lmp) {
   const bool multisphere = impl->contact_match("surface", "multisphere");
   if (!multisphere && !impl->contact_match("surface", "smooth"))
     error->fix_error(FLERR, this,
@@ -98,16 +55,14 @@ FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg)
   const std::string complaint = LCM::unsuitable_model(*impl) + LCM::unsuitable_setting(narg, arg);
   if (!complaint.empty())
     error->fix_error(FLERR, this, complaint.c_str());
-  read_cylinder(narg, arg);
-  // the host has left iarg_ where the settings of the models begin
-  const LIGGGHTS::ModelSettings settings(narg - iarg_, arg + iarg_);
+  const ellipsoid_host::ModelSettings settings(narg - iarg_, arg + iarg_);
   if (multisphere) {
     choose_finder<ellipsoid_host::MultisphereBodies>();
     rule_ = LCM::MulticontactSetting::in(settings);
   } else {
     choose_finder<ellipsoid_host::SmoothEllipsoids>();
   }
-  const int at_primitive = cylinder_axis_ >= 0 ? 2 : 1; // tips of a smooth ellipsoid
+  const int at_primitive = cylinder_.axis >= 0 ? 2 : 1; // tips of a smooth ellipsoid
   const bool many = multisphere || is_mesh_wall();
   history_.set_size(many ? LCM::ContactsSetting::in(settings) : at_primitive, dnum());
   restart_peratom = 1;
@@ -140,32 +95,14 @@ int FixWallGranEllipsoid::maxsize_restart() {
   return of_all;
 }
 
-/// The host's class of primitive walls keeps these values to itself.
-void FixWallGranEllipsoid::read_cylinder(int narg, char** arg) {
-  if (is_mesh_wall())
-    return;
-  Reader reader(error, this, narg, arg, 3);
-  while (reader.keyword() != "primitive")
-    continue;
-  reader.keyword(); // type
-  reader.keyword(); // its value
-  const std::string shape = reader.keyword();
-  if (shape.substr(1) != "cylinder")
-    return;
-  cylinder_axis_ = shape[0] - 'x';
-  cylinder_radius_ = reader.positive(shape);
-  for (const int k : {1, 2}) // the host's order: y z, z x, x y
-    cylinder_centre_[(cylinder_axis_ + k) % 3] = reader.number(shape, -HUGE_VAL, HUGE_VAL);
-}
-
 /// @tparam Bodies what the particles are: SmoothEllipsoids or MultisphereBodies
 template <class Bodies> void FixWallGranEllipsoid::choose_finder() {
   using namespace ellipsoid_host;
   if (is_mesh_wall())
     finder_.reset(new MeshContactFinder<Bodies>(lmp, meshes_));
-  else if (cylinder_axis_ >= 0)
-    finder_.reset(new CylinderContactFinder<Bodies>(lmp, cylinder_axis_, cylinder_radius_,
-                                                    vector(cylinder_centre_)));
+  else if (cylinder_.axis >= 0)
+    finder_.reset(new CylinderContactFinder<Bodies>(lmp, cylinder_.axis, cylinder_.radius,
+                                                    vector(cylinder_.centre)));
   else
     finder_.reset(new PlaneContactFinder<Bodies>(lmp, *primitiveWall_));
 }
@@ -253,12 +190,12 @@ Vector3 FixWallGranEllipsoid::primitive_velocity(const Vector3& point) const {
   double velocity[3] = {0.0, 0.0, 0.0};
   if (!shear_)
     return {};
-  if (cylinder_axis_ < 0 || shearDim_ == cylinder_axis_) {
+  if (cylinder_.axis < 0 || shearDim_ == cylinder_.axis) {
     velocity[shearDim_] = vshear_;
     return vector(velocity);
   }
-  velocity[cylinder_axis_] = vshear_;
-  return cross(vector(velocity), point - vector(cylinder_centre_));
+  velocity[cylinder_.axis] = vshear_;
+  return cross(vector(velocity), point - vector(cylinder_.centre));
 }
 
 /// Returns whether there is, or may have been in the last step, a contact.

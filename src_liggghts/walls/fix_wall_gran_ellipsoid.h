@@ -14,6 +14,7 @@ FixStyle(wall/gran/ellipsoid,FixWallGranEllipsoid)
 #include "host_wall.h"
 #include "rows_of_particles.h"
 #include "update.h"
+#include "wall_command.h"
 #include "wall_contact_finder.h"
 #include "wall_history.h"
 #include "wall_meshes.h"
@@ -61,8 +62,7 @@ class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
 
  private:
   std::string law_;
-  int cylinder_axis_ = -1; // 0, 1, 2; -1: plane, or mesh
-  double cylinder_radius_ = 0.0, cylinder_centre_[3] = {0.0, 0.0, 0.0};
+  ellipsoid_host::WallCylinder cylinder_;
   ellipsoid::MulticontactRule rule_ = ellipsoid::MulticontactRule::sum;
   ellipsoid_host::WallMeshes meshes_;
   ellipsoid_host::WallHistory history_;
@@ -72,7 +72,8 @@ class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
   std::vector<ellipsoid::WallContact> contacts_; // of one particle with the wall
   std::vector<char> may_touch_; // per owned particle: touched in the last step, or new lists
 
-  void read_cylinder(int narg, char** arg);
+  FixWallGranEllipsoid(class LAMMPS* lmp, int narg, char** arg,
+                       const ellipsoid_host::WallCylinder& cylinder);
   template <class Bodies> void choose_finder();
   void forget_far_contacts();
   ellipsoid::Vector3 primitive_velocity(const ellipsoid::Vector3& point) const;

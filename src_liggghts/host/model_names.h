@@ -1,0 +1,26 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+//
+// The names of contact models in a command, as every host reads them.
+#pragma once
+
+#include "contact_models.h"
+#include "force.h"
+#include "host_variants.h"
+
+#include <cstdint>
+
+namespace ellipsoid_host {
+
+/// Takes the names of contact models from the arguments; -1 if one is unknown.
+inline std::int64_t select_models(int& narg, char**& arg, LAMMPS_NS::LAMMPS* lmp,
+                                  LAMMPS_NS::Force* force) {
+#ifdef ELLIPSOID_HOST_INL
+  static_cast<void>(force);
+  return LIGGGHTS::ContactModels::Factory::select(narg, arg, lmp);
+#else
+  static_cast<void>(lmp);
+  return LIGGGHTS::ContactModels::Factory::select(narg, arg, force->custom_contact_models);
+#endif
+}
+
+} // namespace ellipsoid_host
