@@ -110,14 +110,18 @@ class SphereLimit(unittest.TestCase):
                      coefficientRollingViscousDamping=0.3)
 
 
-def crowd_rows(law, surface, name, step=1, **changed):
-    """Columns of the particles, rows of pairs and of walls, at a step of a crowd."""
+def crowd_script(law, surface, name, settings=""):
+    """A crowd without walls and motion, from NAME.data, which is written."""
     setup = crowd_setup(surface)
-    setup.pair = f"gran/ellipsoid {law} surface {surface}"
+    setup.pair = f"gran/ellipsoid {law} surface {surface} {settings}"
     axes = (2.6e-3, 2.3e-3, 1.8e-3) if surface == "smooth" else (2.5e-3, 1.7e-3, 1.7e-3)
     script = setup.with_particles(crowd(axes), f"{name}.data") + "neigh_modify page 1000000\n"
-    if surface != "smooth":
-        script += subspheres(5)
+    return script if surface == "smooth" else script + subspheres(5)
+
+
+def crowd_rows(law, surface, name, step=1, **changed):
+    """Columns of the particles, rows of pairs and of walls, at a step of a crowd."""
+    script = crowd_script(law, surface, name)
     script += floor_and_lid(surface, law) + "fix motion all nve/ellipsoid\n" + lists(name) + dump(f"{name}.dump") + "run 1\n"
     run(with_properties(script, law, **changed), name=f"in.{name}")
     _, columns = read_dump(f"{name}.dump")
@@ -214,12 +218,7 @@ class Batches(unittest.TestCase):
              "model hertz tangential no_history rolling_friction epsd2"]
 
     def rows(self, law, surface, settings, name):
-        setup = crowd_setup(surface)
-        setup.pair = f"gran/ellipsoid {law} surface {surface} {settings}"
-        axes = (2.6e-3, 2.3e-3, 1.8e-3) if surface == "smooth" else (2.5e-3, 1.7e-3, 1.7e-3)
-        script = setup.with_particles(crowd(axes), f"{name}.data") + "neigh_modify page 1000000\n"
-        if surface != "smooth":
-            script += subspheres(5)
+        script = crowd_script(law, surface, name, settings)
         script += "fix motion all nve/ellipsoid\n" + lists(name, 50).split("compute wall")[0] + dump(f"{name}.dump", 50) + "run 200\n"
         outcome = run(with_properties(script, law), name=f"in.{name}")
         return outcome.text, read_dump(f"{name}.dump")[1], read_rows(f"{name}.pairs")

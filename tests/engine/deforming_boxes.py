@@ -6,29 +6,18 @@ from pathlib import Path
 
 import numpy as np
 
-from _brute_force import REPLAYED, BruteForce, Frame, Law
-from _engine import Material, Particle, Setup, quaternion_of, read_dump, run, thermo, vectors
+import _crowd
+from _brute_force import REPLAYED, Frame
+from _crowd import LENGTHS, TIME_STEP
+from _engine import read_dump, run, thermo, vectors
 
-LENGTHS = (8.7e-3, 5.8e-3, 5.8e-3)
-TIME_STEP, STEPS = 2e-6, 60
-MATERIAL = Material(5e7, 0.3)
+STEPS = 60
 COLUMNS = (*REPLAYED, "ix", "iy", "iz")
 FORM = " ".join("%d" if c in ("id", "type", "ix", "iy", "iz") else "%.17g" for c in COLUMNS)
 
 
-def bodies():
-    """A crowd whose members touch each other and, over all faces, each other's images."""
-    random = np.random.default_rng(5)
-    return [Particle(tuple(2.9e-3 * (np.array((x, y, z)) + 0.5) + random.uniform(-1e-4, 1e-4, 3)),
-                     (1.4e-3, 1.65e-3, 1.5e-3), quaternion_of(random.normal(size=3), 2.0),
-                     tuple(random.normal(0, 0.6, 3)), tuple(random.normal(0, 200, 3)))
-            for x in range(3) for y in range(2) for z in range(2)]
-
-
 def script(tilt):
-    setup = Setup(box=(0.0, LENGTHS[0], 0.0, LENGTHS[1], 0.0, LENGTHS[2]), boundary="p p p", skin=3e-4, friction=0.5,
-                  materials=[MATERIAL], time_step=TIME_STEP, damping_normal=300.0, damping_tangential=200.0)
-    text = setup.with_particles(bodies(), "crowd.data") + "fix motion all nve/ellipsoid\n"
+    text = _crowd.script() + "fix motion all nve/ellipsoid\n"
     if tilt:
         data = Path("crowd.data").read_text()
         Path("crowd.data").write_text(data.replace(" zlo zhi\n", " zlo zhi\n" + " ".join(map(repr, tilt)) + " xy xz yz\n"))
@@ -63,8 +52,7 @@ class DeformingBoxes(unittest.TestCase):
         """`fix deform` changes the box when the forces are there: they are of the box before, and where positions are
         remapped, of those before as well."""
         frames, cells, corners = self.run_engine(deform, tilt, ranks)
-        brute = BruteForce(Law([(MATERIAL.youngs_modulus, MATERIAL.poissons_ratio)], [[0.5]], [[300.0]], [[200.0]],
-                               TIME_STEP), LENGTHS)
+        brute = _crowd.brute_force()
         brute.edge_rates = np.array(edge_rates, float)
         before, contacts, found_flips = None, 0, 0
         for k, values in enumerate(frames):

@@ -8,29 +8,19 @@ from pathlib import Path
 
 import numpy as np
 
-from _brute_force import REPLAYED, BruteForce, Law, replay
-from _engine import Material, Particle, Setup, quaternion_of, read_dump, run, vectors
+import _crowd
+from _brute_force import REPLAYED, replay
+from _crowd import LENGTHS, TIME_STEP
+from _engine import read_dump, run, vectors
 
-LENGTHS = (8.7e-3, 5.8e-3, 5.8e-3)
-TIME_STEP, STEPS = 2e-6, 40
-MATERIAL = Material(5e7, 0.3)
+STEPS = 40
 FORM = " ".join("%d" if c in ("id", "type") else "%.17g" for c in REPLAYED)
 LEFT = "region left block 0 2.9e-3 INF INF INF INF units box\n"
 
 
-def crowd():
-    random = np.random.default_rng(5)
-    return [Particle(tuple(2.9e-3 * (np.array((x, y, z)) + 0.5) + random.uniform(-1e-4, 1e-4, 3)),
-                     (1.4e-3, 1.65e-3, 1.5e-3), quaternion_of(random.normal(size=3), 2.0),
-                     tuple(random.normal(0, 0.6, 3)), tuple(random.normal(0, 200, 3)))
-            for x in range(3) for y in range(2) for z in range(2)]
-
-
 def script(commands="", change=("", ""), boundary="p p p"):
     """`change`: a line of the head and what it becomes."""
-    setup = Setup(box=(0.0, LENGTHS[0], 0.0, LENGTHS[1], 0.0, LENGTHS[2]), boundary=boundary, skin=3e-4, friction=0.5,
-                  materials=[MATERIAL], time_step=TIME_STEP, damping_normal=300.0, damping_tangential=200.0)
-    text = setup.with_particles(crowd(), "crowd.data")
+    text = _crowd.script(boundary)
     if change[0] not in text:
         raise AssertionError(f"no '{change[0]}' in the script")
     return (text.replace(*change, 1) if change[0] else text) + (
@@ -45,8 +35,7 @@ class HostSettings(unittest.TestCase):
             ranks)
         frames = vectors(read_dump("d.dump")[1], *REPLAYED)
         periods = [length if letter == "p" else np.inf for length, letter in zip(LENGTHS, boundary.split())]
-        brute = BruteForce(Law([(MATERIAL.youngs_modulus, MATERIAL.poissons_ratio)], [[0.5]], [[300.0]], [[200.0]],
-                               TIME_STEP), periods)
+        brute = _crowd.brute_force(periods)
         contacts = 0
         for values, (force, torque, rows) in zip(frames, replay(brute, frames, TIME_STEP)):
             contacts += len(rows)
@@ -113,8 +102,7 @@ class HostSettings(unittest.TestCase):
         self.assertEqual(np.abs(frames[:, cold, 19:25]).max(), 0.0)
         heavy = frames.copy()
         heavy[:, cold, 2] = 1e20
-        brute = BruteForce(Law([(MATERIAL.youngs_modulus, MATERIAL.poissons_ratio)], [[0.5]], [[300.0]], [[200.0]],
-                               TIME_STEP), LENGTHS)
+        brute = _crowd.brute_force()
         for values, (force, torque, _) in zip(frames, replay(brute, heavy, TIME_STEP)):
             for found, expected in ((values[:, 19:22], force), (values[:, 22:25], torque)):
                 np.testing.assert_allclose(found[~cold], expected[~cold], rtol=0, atol=1e-10 * np.abs(expected).max())
