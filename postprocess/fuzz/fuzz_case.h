@@ -3,6 +3,7 @@
 
 #include "coordination.h"
 #include "frame_rows.h"
+#include "memory_bytes.h"
 #include "porosity.h"
 #include "repose.h"
 #include "text_dump.h"
@@ -69,8 +70,8 @@ inline int read_and_measure(const std::string& text) {
       if (set.particles.size() > most_particles || set.spheres.size() > 10 * most_particles)
         continue;
       const PileOptions options;
-      const Pile pile = find_pile(set, options);
-      coordination(set, pile.members, {});
+      const Pile pile = find_pile(set, options, near_pairs(set, options));
+      coordination(set, pile.members, find_contacts(set, 0.0), {});
       plane_porosity(pile, options, {}, {});
       repose_angle(pile, options, Flank::right);
     }

@@ -48,12 +48,6 @@ double PlaneEllipse::bounding_radius() const {
   return std::sqrt(0.5 * (p + r) + std::sqrt(0.25 * (p - r) * (p - r) + q * q));
 }
 
-double PlaneEllipse::level(const Point& p) const {
-  const double cosine = (p.x() - centre.x()) / ux;
-  const double sine = (p.y() - centre.y() - uy * cosine) / vy;
-  return cosine * cosine + sine * sine - 1.0;
-}
-
 bool section_of_ellipsoid(const Particle& particle, double z0, PlaneEllipse& ellipse) {
   const Vector3& s = particle.semiaxes;
   // (p - centre)^T M (p - centre) = 1 on the surface

@@ -35,8 +35,6 @@ struct PlaneEllipse {
   double right() const { return centre.x() + ux; }
   double top() const;             ///< largest ordinate (length)
   double bounding_radius() const; ///< of a circle about the centre that encloses it (length)
-  /// (x/.)^2 + (y/.)^2 - 1 in the ellipse's own unit circle: negative inside.
-  double level(const Point& p) const;
 };
 
 /// The section of a body by the plane z = z0; false when the plane misses it.

@@ -50,11 +50,6 @@ Partners count_partners(const ParticleSet& set, const std::vector<PairContact>& 
 }
 
 Coordination coordination(const ParticleSet& set, const std::vector<std::size_t>& members,
-                          const CoordinationOptions& options) {
-  return coordination(set, members, find_contacts(set, options.gap), options);
-}
-
-Coordination coordination(const ParticleSet& set, const std::vector<std::size_t>& members,
                           const ContactNetwork& network, const CoordinationOptions& options) {
   std::vector<char> is_member(set.particles.size(), 0), is_backbone(set.particles.size(), 0);
   for (const std::size_t i : members)

@@ -35,10 +35,6 @@ Partners count_partners(const ParticleSet& set, const std::vector<PairContact>& 
 /// Coordination numbers and overlaps among the particles `members` of a set.
 /// With count_walls each particle that touches a wall counts one more contact per wall.
 Coordination coordination(const ParticleSet& set, const std::vector<std::size_t>& members,
-                          const CoordinationOptions& options);
-
-/// The same with contacts that are known already.
-Coordination coordination(const ParticleSet& set, const std::vector<std::size_t>& members,
                           const ContactNetwork& network, const CoordinationOptions& options);
 
 } // namespace ellipsoid::post

@@ -111,8 +111,4 @@ Pile find_pile(const ParticleSet& set, const PileOptions& options, NearPairs nea
   return {std::move(body), std::move(surface)};
 }
 
-Pile find_pile(const ParticleSet& set, const PileOptions& options) {
-  return find_pile(set, options, near_pairs(set, options));
-}
-
 } // namespace ellipsoid::post

@@ -68,6 +68,5 @@ PileBody find_pile_body(const ParticleSet& set, const PileOptions& options, Near
 /// The same with its free surface.
 Pile find_pile(const ParticleSet& set, const PileOptions& options, NearPairs near,
                const std::vector<PairContact>& touching = {});
-Pile find_pile(const ParticleSet& set, const PileOptions& options);
 
 } // namespace ellipsoid::post

@@ -37,21 +37,6 @@ class PlainFile : public ByteSource {
   std::uint64_t consumed_ = 0;
 };
 
-class MemoryBytes : public ByteSource {
- public:
-  explicit MemoryBytes(std::string content) : content_(std::move(content)) {}
-  std::size_t read(char* buffer, std::size_t size) override {
-    const std::size_t got = content_.copy(buffer, size, offset_);
-    offset_ += got;
-    return got;
-  }
-  std::uint64_t consumed() const override { return offset_; }
-
- private:
-  std::string content_;
-  std::size_t offset_ = 0;
-};
-
 } // namespace
 
 std::unique_ptr<ByteSource> open_bytes(const std::string& path) {
@@ -64,10 +49,6 @@ std::unique_ptr<ByteSource> open_bytes(const std::string& path) {
   if (!file)
     throw InputError(fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
   return decompressed(std::make_unique<PlainFile>(file));
-}
-
-std::unique_ptr<ByteSource> memory_bytes(std::string content) {
-  return std::make_unique<MemoryBytes>(std::move(content));
 }
 
 std::string_view next_token(std::string_view& rest) {

@@ -28,9 +28,6 @@ class ByteSource {
 /// Opens a file or a pipe, plain or compressed (see decompressed()); "-" is standard input.
 std::unique_ptr<ByteSource> open_bytes(const std::string& path);
 
-/// Bytes that are in memory already (tests, fuzzing).
-std::unique_ptr<ByteSource> memory_bytes(std::string content);
-
 inline bool starts_with(std::string_view text, std::string_view beginning) {
   return text.substr(0, beginning.size()) == beginning;
 }

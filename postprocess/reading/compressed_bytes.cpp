@@ -47,6 +47,13 @@ struct Stretch {
   std::size_t in_left;
   char* out;
   std::size_t out_left;
+
+  void advance(std::size_t read, std::size_t written) {
+    in += read;
+    in_left -= read;
+    out += written;
+    out_left -= written;
+  }
 };
 
 enum class StreamState { goes_on, ended };
@@ -121,10 +128,7 @@ class GzipBytes : public Decompressor {
     const int code = inflate(&stream_, Z_NO_FLUSH);
     if (code != Z_OK && code != Z_STREAM_END && code != Z_BUF_ERROR)
       throw broken(stream_.msg ? stream_.msg : "invalid data");
-    s.in += s.in_left - stream_.avail_in;
-    s.in_left = stream_.avail_in;
-    s.out += room - stream_.avail_out;
-    s.out_left -= room - stream_.avail_out;
+    s.advance(s.in_left - stream_.avail_in, room - stream_.avail_out);
     return code == Z_STREAM_END ? StreamState::ended : StreamState::goes_on;
   }
   z_stream stream_{};
@@ -160,10 +164,7 @@ class BzipBytes : public Decompressor {
     const int code = BZ2_bzDecompress(&stream_);
     if (code != BZ_OK && code != BZ_STREAM_END)
       throw broken("invalid data");
-    s.in += s.in_left - stream_.avail_in;
-    s.in_left = stream_.avail_in;
-    s.out += room - stream_.avail_out;
-    s.out_left -= room - stream_.avail_out;
+    s.advance(s.in_left - stream_.avail_in, room - stream_.avail_out);
     return code == BZ_STREAM_END ? StreamState::ended : StreamState::goes_on;
   }
   bz_stream stream_{};
@@ -190,10 +191,7 @@ class XzBytes : public Decompressor {
     const lzma_ret code = lzma_code(&stream_, LZMA_RUN);
     if (code != LZMA_OK && code != LZMA_STREAM_END)
       throw broken("invalid data");
-    s.in += s.in_left - stream_.avail_in;
-    s.in_left = stream_.avail_in;
-    s.out += s.out_left - stream_.avail_out;
-    s.out_left = stream_.avail_out;
+    s.advance(s.in_left - stream_.avail_in, s.out_left - stream_.avail_out);
     return code == LZMA_STREAM_END ? StreamState::ended : StreamState::goes_on;
   }
   lzma_stream stream_ = LZMA_STREAM_INIT;
@@ -218,10 +216,7 @@ class ZstdBytes : public Decompressor {
     const std::size_t code = ZSTD_decompressStream(stream_, &out, &in);
     if (ZSTD_isError(code) != 0)
       throw broken(ZSTD_getErrorName(code));
-    s.in += in.pos;
-    s.in_left -= in.pos;
-    s.out += out.pos;
-    s.out_left -= out.pos;
+    s.advance(in.pos, out.pos);
     return code == 0 ? StreamState::ended : StreamState::goes_on;
   }
   ZSTD_DStream* stream_;

@@ -5,6 +5,8 @@
 #include "multisphere/motion_batch.h"
 #include "multisphere/multisphere_contact.h"
 #include "multisphere/near_spheres.h"
+#include "random_vectors.h"
+#include "sphere_contacts.h"
 #include "wall/mesh_contact.h"
 #include "wall/plane_contact.h"
 
@@ -13,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 #include <set>
 #include <utility>
 #include <vector>
@@ -21,31 +22,14 @@
 namespace ellipsoid {
 namespace {
 
+using contact_test::Random;
+
 constexpr unsigned seed = 20260603;
 using Pairs = std::vector<std::pair<int, int>>;
 
-class Random {
- public:
-  double uniform(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
-  Vector3 vector(double deviation = 1.0) {
-    std::normal_distribution<double> normal(0.0, deviation);
-    return {normal(engine_), normal(engine_), normal(engine_)};
-  }
-  Quaternion orientation() {
-    std::normal_distribution<double> normal;
-    return normalized(
-        Quaternion{normal(engine_), normal(engine_), normal(engine_), normal(engine_)});
-  }
-
- private:
-  std::mt19937_64 engine_{seed};
-};
-
 /// A heap of spheres within an ellipsoid.
 SphereSet heap(int count, const Vector3& extent) {
-  Random random;
+  Random random(seed);
   SphereSet set;
   for (int k = 0; k < count; ++k) {
     const Vector3 p = random.uniform(0.0, 1.0) * normalized(random.vector());
@@ -165,7 +149,7 @@ Pair random_pair(Random& random, const Body& i, const Body& j) {
 }
 
 void compare_with_brute_force(const Body& i, const Body& j, int poses) {
-  Random random;
+  Random random(seed);
   const int columns = j.spheres.count();
   std::size_t touching = 0, apart = 0;
   for (int n = 0; n < poses; ++n) {
@@ -205,7 +189,7 @@ TEST(ClumpContact, ChainAndChainAsSet) {
     set.centres.push_back({x, 0.0, 0.0});
   set.radii = geometry.radii;
   const Body chain(geometry), free(set);
-  Random random;
+  Random random(seed);
   for (int n = 0; n < all_poses; ++n) {
     const Pair pair = random_pair(random, chain, chain);
     std::vector<SphereContact> walked, searched;
@@ -267,7 +251,7 @@ TEST(ClumpContact, LargestTreeIsNotTooDeep) {
 
 TEST(ClumpContact, SwappedBodiesSeeTheSame) {
   const Body one(heap(20, {2.0, 1.0, 0.6})), other(make_multisphere(3.0, 1.0, 9));
-  Random random;
+  Random random(seed);
   for (int n = 0; n < 10000; ++n) {
     const Pair pair = random_pair(random, one, other);
     const MultispherePose i = one.pose(pair.q_i, 1.0), j = other.pose(pair.q_j, pair.scale_j);
@@ -288,7 +272,7 @@ TEST(ClumpContact, SwappedBodiesSeeTheSame) {
 
 TEST(ClumpContact, NearSpheresHoldEveryContactBetweenSearches) {
   const Body one(heap(20, {2.0, 1.0, 0.6})), other(disc(4));
-  Random random;
+  Random random(seed);
   NearSpheres near;
   near.restart(1);
   MotionClocks clocks;
@@ -342,7 +326,7 @@ TEST(ClumpContact, NearSpheresHoldEveryContactBetweenSearches) {
 
 TEST(ClumpContact, PlaneTouchesWhatReachesIntoIt) {
   const Body body(heap(20, {2.0, 1.0, 0.6}));
-  Random random;
+  Random random(seed);
   std::size_t touching = 0;
   for (int n = 0; n < 20000; ++n) {
     const Quaternion q = random.orientation();

@@ -7,6 +7,12 @@
 
 namespace ellipsoid {
 
+/// Orientation and angular velocity (rad/time, space frame) of a body.
+struct Rotating {
+  Quaternion orientation;
+  Vector3 omega;
+};
+
 /// @param[in] momentum angular momentum (space frame), constant
 /// @param[in] inverse_inertia inverse() of the principal moments
 /// @return orientation and angular velocity after the step

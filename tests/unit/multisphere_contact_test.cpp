@@ -1,5 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "multisphere/multisphere_contact.h"
+#include "sphere_contacts.h"
 #include "wall/plane_contact.h"
 
 #include <gtest/gtest.h>

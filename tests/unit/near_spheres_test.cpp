@@ -2,34 +2,22 @@
 #include "multisphere/near_spheres.h"
 
 #include "chain_motion.h"
+#include "random_vectors.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <utility>
 #include <vector>
 
 namespace ellipsoid {
 namespace {
 
+using contact_test::Random;
+
 constexpr unsigned seed = 20100603;
 using Pairs = std::vector<std::pair<int, int>>;
-
-class Random {
- public:
-  double uniform(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
-  Vector3 vector(double deviation) {
-    std::normal_distribution<double> normal(0.0, deviation);
-    return {normal(engine_), normal(engine_), normal(engine_)};
-  }
-
- private:
-  std::mt19937_64 engine_{seed};
-};
 
 MultisphereBody chain(int count) { return MultisphereBody(make_multisphere(2.35, 1.0, count)); }
 
@@ -49,7 +37,7 @@ Pairs closer_than(double gap, const MultispherePose& i, const MultispherePose& j
 
 /// Two bodies that tumble about each other, now touching, now apart.
 struct Tumbling {
-  Random random;
+  Random random(seed);
   MultispherePose i, j;
   Vector3 centre_distance{1.5, 0.0, 0.0}, velocity, spin_i, spin_j;
 
@@ -89,7 +77,7 @@ class Watch : public ::testing::TestWithParam<std::pair<int, int>> {};
 
 TEST_P(Watch, FindsWhatIsCloserThanTheGap) {
   const MultisphereBody one = chain(GetParam().first), other = chain(GetParam().second);
-  Random random;
+  Random random(seed);
   std::size_t all = 0;
   for (int pose = 0; pose < 20000; ++pose) {
     const MultispherePose i{&one, normalized(random.vector(1.0)), 1.0};
@@ -174,7 +162,7 @@ TEST(NearSpheres, ForgetsAndStartsDue) {
 
 TEST(NearSpheres, MotionBoundsEverySphere) {
   const MultisphereBody nine = chain(9);
-  Random random;
+  Random random(seed);
   for (int pose = 0; pose < 10000; ++pose) {
     const MultispherePose before{&nine, normalized(random.vector(1.0)), 1.0};
     const MultispherePose after{&nine, normalized(before.axis + random.vector(0.3)),

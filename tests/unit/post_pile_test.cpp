@@ -5,6 +5,7 @@
 #include "coordination.h"
 #include "disjoint_sets.h"
 #include "ellipsoid/ellipsoid_contact.h"
+#include "outline_level.h"
 #include "porosity.h"
 #include "repose.h"
 
@@ -39,6 +40,14 @@ std::vector<std::size_t> all_of(const ParticleSet& set) {
   return members;
 }
 
+Pile pile_of(const ParticleSet& set, const PileOptions& options) {
+  return find_pile(set, options, near_pairs(set, options));
+}
+
+Coordination coordination_of_all(const ParticleSet& set, const CoordinationOptions& options) {
+  return coordination(set, all_of(set), find_contacts(set, options.gap), options);
+}
+
 /// Discs of radius r with centres on a line that falls by `degrees`, r / 10 apart, so that the
 /// surface waves by less than r / 800; the line passes through (0, height).
 ParticleSet slope(double degrees, double height, double r) {
@@ -54,7 +63,7 @@ TEST(Repose, a_heap_cut_at_25_degrees) {
   for (const double degrees : {5.0, 25.0, 40.0}) {
     const ParticleSet set = slope(degrees, 1.0, 0.004);
     const PileOptions options;
-    const Pile pile = find_pile(set, options);
+    const Pile pile = pile_of(set, options);
     const ReposeAngle angle = repose_angle(pile, options, Flank::right);
     // the surface waves by amp = r / 800 with a period of r / 10: the slope of the fit over a
     // length of 0.6 is off by less than 6 amp / 0.6 per period counted, 1e-7 rad
@@ -68,11 +77,11 @@ TEST(Repose, a_heap_cut_at_25_degrees) {
 TEST(Repose, particles_that_rolled_away_change_nothing) {
   const PileOptions options;
   ParticleSet set = slope(25.0, 0.5, 0.004);
-  const double alone = repose_angle(find_pile(set, options), options, Flank::right).angle_deg;
+  const double alone = repose_angle(pile_of(set, options), options, Flank::right).angle_deg;
   for (double x = 1.5; x < 3.0; x += 0.1)
     set.particles.push_back(plane_particle(0.004, 0.004, x, 0.004));
   number(set);
-  const Pile pile = find_pile(set, options);
+  const Pile pile = pile_of(set, options);
   EXPECT_EQ(pile.strays, 15u);
   EXPECT_EQ(repose_angle(pile, options, Flank::right).angle_deg, alone);
 }
@@ -80,14 +89,14 @@ TEST(Repose, particles_that_rolled_away_change_nothing) {
 TEST(Repose, a_heap_beyond_the_toe_changes_nothing) {
   const PileOptions options;
   ParticleSet set = slope(25.0, 0.5, 0.004);
-  const Pile slope_alone = find_pile(set, options);
+  const Pile slope_alone = pile_of(set, options);
   const double alone = repose_angle(slope_alone, options, Flank::right).angle_deg;
   for (double x = 1.06; x < 1.6; x += 0.007) // a chain on the floor, and a tower on it
     set.particles.push_back(plane_particle(0.004, 0.004, x, 0.004));
   for (double y = 0.01; y < 0.2; y += 0.007)
     set.particles.push_back(plane_particle(0.004, 0.004, 1.4, y));
   number(set);
-  const Pile pile = find_pile(set, options);
+  const Pile pile = pile_of(set, options);
   EXPECT_EQ(pile.strays, 0u);
   for (double x = 0.0; x < 1.0; x += 1.0e-3)
     EXPECT_EQ(pile.surface.height(x), slope_alone.surface.height(x)) << x;
@@ -104,7 +113,7 @@ TEST(Repose, both_flanks_of_a_free_pile) {
   number(set);
   PileOptions options;
   options.wall.reset();
-  const Pile pile = find_pile(set, options);
+  const Pile pile = pile_of(set, options);
   EXPECT_NEAR(repose_angle(pile, options, Flank::right).angle_deg, 30.0, 1e-4);
   EXPECT_NEAR(repose_angle(pile, options, Flank::left).angle_deg, 20.0, 1e-4);
 }
@@ -115,8 +124,8 @@ TEST(Repose, a_pile_of_one_particle_is_an_error) {
   PileOptions options;
   options.column_spacing = 1.0;
   options.cut_top = options.cut_bottom = 0.5;
-  EXPECT_THROW(repose_angle(find_pile(set, options), options, Flank::right), InputError);
-  EXPECT_THROW(find_pile(ParticleSet(), options), InputError);
+  EXPECT_THROW(repose_angle(pile_of(set, options), options, Flank::right), InputError);
+  EXPECT_THROW(pile_of(ParticleSet(), options), InputError);
 }
 
 /// Rows of touching ellipses with their axes along x and y, on the floor and at the wall.
@@ -134,7 +143,7 @@ TEST(Porosity, of_a_lattice_of_ellipses_is_exact) {
   const int columns = 30, rows = 20;
   const ParticleSet set = lattice(columns, rows, a, b);
   const PileOptions options;
-  const Porosity p = plane_porosity(find_pile(set, options), options, {}, {});
+  const Porosity p = plane_porosity(pile_of(set, options), options, {}, {});
   // the free surface: straight up to the top row's centres, then half ellipses
   const double total = 2.0 * a * columns * b * (2.0 * rows - 1.0) + 0.5 * pi * a * b * columns;
   const double solid = pi * a * b * columns * rows;
@@ -155,10 +164,10 @@ TEST(Porosity, of_multispheres_uses_the_cut_off_spheres_or_the_ellipse) {
       set.spheres.push_back({p.centre + Vector3{chain.centres[k], 0.0, 0.0}, chain.radii[k]});
   }
   PileOptions options;
-  const Porosity ms = plane_porosity(find_pile(set, options), options, {}, {});
+  const Porosity ms = plane_porosity(pile_of(set, options), options, {}, {});
   EXPECT_NEAR(ms.solid_area, 30.0 * measure(chain).area, 1e-12 * ms.solid_area);
   options.outline = OutlineKind::smooth_ellipse;
-  const Porosity ellipse = plane_porosity(find_pile(set, options), options, {}, {});
+  const Porosity ellipse = plane_porosity(pile_of(set, options), options, {}, {});
   EXPECT_NEAR(ellipse.solid_area, 30.0 * pi * a * b, 1e-12 * ellipse.solid_area);
 }
 
@@ -168,7 +177,7 @@ TEST(Porosity, overlaps_count_once) {
   for (Particle& p : set.particles)
     p.centre.y = b + squeeze * (p.centre.y - b);
   const PileOptions options;
-  const Porosity p = plane_porosity(find_pile(set, options), options, {}, {});
+  const Porosity p = plane_porosity(pile_of(set, options), options, {}, {});
   // lens of two unit discs at distance 2 squeeze, times a b (affine map)
   const double lens = 2.0 * std::acos(squeeze) - 2.0 * squeeze * std::sqrt(1.0 - squeeze * squeeze);
   const double lenses = 90.0 * lens * a * b, sum = 100.0 * pi * a * b;
@@ -187,7 +196,7 @@ TEST(Porosity, core_region_against_counting_points) {
                                              pi * uniform(generator)));
   number(set);
   const PileOptions options;
-  const Pile pile = find_pile(set, options);
+  const Pile pile = pile_of(set, options);
   const ReposeAngle angle = repose_angle(pile, options, Flank::right);
   PorosityOptions core;
   core.region = PorosityRegion::core;
@@ -201,7 +210,7 @@ TEST(Porosity, core_region_against_counting_points) {
         break;
       ++inside;
       solid += std::any_of(pile.outlines.begin(), pile.outlines.end(), [&](const auto& e) {
-        return std::abs(e.centre.x() - x) < 0.05 && e.level({x, y}) < 0.0;
+        return std::abs(e.centre.x() - x) < 0.05 && level(e, {x, y}) < 0.0;
       });
     }
   const double counted = 1.0 - static_cast<double>(solid) / static_cast<double>(inside);
@@ -234,19 +243,19 @@ TEST(Coordination, of_a_known_network) {
     for (const double angle : {0.0, 0.5, 2.0}) {
       const ParticleSet touching = hexagonal(columns, rows, 1.999, stretch, angle);
       CoordinationOptions options;
-      const Coordination z = coordination(touching, all_of(touching), options);
+      const Coordination z = coordination_of_all(touching, options);
       EXPECT_EQ(z.pairs, pairs) << stretch << " " << angle;
       EXPECT_DOUBLE_EQ(z.zpp, 2.0 * static_cast<double>(pairs) / (columns * rows));
       EXPECT_EQ(z.zss, z.zpp);
       EXPECT_EQ(z.distribution[6], static_cast<std::size_t>((columns - 2) * (rows - 2)));
       EXPECT_EQ(z.not_converged, 0u);
       const ParticleSet apart = hexagonal(columns, rows, 2.0001, stretch, angle);
-      EXPECT_EQ(coordination(apart, all_of(apart), options).pairs, 0u);
+      EXPECT_EQ(coordination_of_all(apart, options).pairs, 0u);
       if (stretch == 1.0) {
         EXPECT_NEAR(z.largest_overlap, 0.001, 1e-12);
         EXPECT_NEAR(z.mean_overlap, 0.001, 1e-12);
         options.gap = 0.00011;
-        EXPECT_EQ(coordination(apart, all_of(apart), options).pairs, pairs);
+        EXPECT_EQ(coordination_of_all(apart, options).pairs, pairs);
       }
     }
 }
@@ -260,14 +269,14 @@ TEST(Coordination, walls_and_rattlers) {
   CoordinationOptions options;
   options.walls = {PlaneWall{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}},
                    PlaneWall{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}};
-  Coordination z = coordination(set, all_of(set), options);
+  Coordination z = coordination_of_all(set, options);
   EXPECT_EQ(z.pairs, 7u);
   EXPECT_EQ(z.wall_contacts, 5u); // two at the wall, three on the floor
   EXPECT_EQ(z.rattlers, 1u);
   EXPECT_DOUBLE_EQ(z.zpp, 14.0 / 7.0);
   EXPECT_DOUBLE_EQ(z.zpp_without_rattlers, 14.0 / 6.0);
   options.count_walls = true;
-  z = coordination(set, all_of(set), options);
+  z = coordination_of_all(set, options);
   EXPECT_DOUBLE_EQ(z.zpp, 19.0 / 7.0);
 }
 
@@ -289,7 +298,7 @@ TEST(Coordination, sphere_sphere_contacts_of_two_chains_side_by_side) {
     for (std::size_t t = 5; t < 10; ++t)
       expected += norm(set.spheres[s].centre - set.spheres[t].centre) <=
                   set.spheres[s].radius + set.spheres[t].radius;
-  const Coordination z = coordination(set, all_of(set), {});
+  const Coordination z = coordination_of_all(set, {});
   EXPECT_GT(expected, 1u);
   EXPECT_EQ(z.contacts, expected);
   EXPECT_EQ(z.pairs, 1u);

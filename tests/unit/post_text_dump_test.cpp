@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // The text dump reader: what it accepts, what it refuses and in which words.
+#include "../../postprocess/fuzz/memory_bytes.h"
 #include "body_properties.h"
 #include "compressed_bytes.h"
 #include "energy.h"

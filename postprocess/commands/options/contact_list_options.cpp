@@ -8,29 +8,29 @@
 
 namespace ellipsoid::post {
 
+CLI::Option* add_list_columns(CLI::App& command, CLI::Option* list, const std::string& name,
+                              std::vector<std::string>& columns, const std::string& what,
+                              int count) {
+  return command.add_option(name, columns, what)->expected(count)->needs(list);
+}
+
 CLI::Option* add_contact_list_options(CLI::App& command, ContactListOptions& options,
                                       const std::string& purpose) {
   CLI::Option* contacts = command.add_option(
       "--contacts", options.files, "contact lists (dump local) of the same time steps: " + purpose);
-  CLI::Option* ids = command.add_option("--id-columns", options.columns.ids,
-                                        "of the contact list: ids of the two particles");
-  ids->expected(2)->needs(contacts);
-  contacts->needs(ids);
+  contacts->needs(add_list_columns(command, contacts, "--id-columns", options.columns.ids,
+                                   "of the contact list: ids of the two particles", 2));
   return contacts;
 }
 
 void add_force_list_options(CLI::App& command, ContactListOptions& options,
                             const std::string& purpose, const std::string& shown) {
   auto* contacts = add_contact_list_options(command, options, purpose);
-  auto* forces = command.add_option("--force-columns", options.columns.forces,
-                                    "of the contact list: the force");
-  auto* normals = command.add_option("--normal-columns", options.columns.normals,
-                                     "of the contact list: the normal; then only the normal part "
-                                     "of the force is " +
-                                         shown);
-  forces->expected(3)->needs(contacts);
-  normals->expected(3)->needs(contacts);
-  contacts->needs(forces);
+  contacts->needs(add_list_columns(command, contacts, "--force-columns", options.columns.forces,
+                                   "of the contact list: the force", 3));
+  add_list_columns(
+      command, contacts, "--normal-columns", options.columns.normals,
+      "of the contact list: the normal; then only the normal part of the force is " + shown, 3);
 }
 
 ContactLists::ContactLists(const ContactListOptions& options) : options_(options) {}

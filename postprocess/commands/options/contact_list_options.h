@@ -19,6 +19,11 @@ struct ContactListOptions {
   ContactColumns columns;
 };
 
+/// Adds an option with the names of `count` columns of the lists that `list` names.
+CLI::Option* add_list_columns(CLI::App& command, CLI::Option* list, const std::string& name,
+                              std::vector<std::string>& columns, const std::string& what,
+                              int count);
+
 /// Adds --contacts (with the command's own `purpose`) and --id-columns.
 /// @return --contacts, for options that need it
 CLI::Option* add_contact_list_options(CLI::App& command, ContactListOptions& options,

@@ -15,8 +15,8 @@ void add_columns(CLI::App& command, CLI::Option* list, const std::string& prefix
                  ForceColumns& columns) {
   const auto add = [&](const std::string& name, std::vector<std::string>& values,
                        const std::string& what, int count) {
-    CLI::Option* option = command.add_option("--" + prefix + name, values, of_what + ": " + what);
-    return option->expected(count)->needs(list);
+    return add_list_columns(command, list, "--" + prefix + name, values, of_what + ": " + what,
+                            count);
   };
   list->needs(add(ids, columns.ids,
                   particles == 1 ? "id of the particle" : "ids of the two particles", particles));

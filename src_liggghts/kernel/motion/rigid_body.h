@@ -67,12 +67,6 @@ inline void turn(double half, double& p, double& q, double& w, double& a, double
 
 } // namespace detail
 
-/// Orientation and angular velocity (rad/time, space frame) of a body.
-struct Rotating {
-  Quaternion orientation;
-  Vector3 omega;
-};
-
 /// A torque-free body in the midst of a step: symmetric splitting into turns about the body's axes
 /// (as Miller et al. 2002, J. Chem. Phys. 116, 8649, order z y x y z), each with its constant
 /// component of the angular momentum. Second order, time-reversible; angular momentum and the

@@ -78,13 +78,6 @@ RelativePose relative_pose(const MultispherePose& i, const MultispherePose& j,
 
 } // namespace multisphere_search
 
-ContactCount find_contacts(const MultispherePose& i, const MultispherePose& j,
-                           const Vector3& centre_distance, std::vector<SphereContact>& contacts) {
-  contacts.clear();
-  return for_each_contact(i, j, centre_distance,
-                          [&](const SphereContact& contact) { contacts.push_back(contact); });
-}
-
 double smallest_gap(const MultispherePose& i, const MultispherePose& j,
                     const Vector3& centre_distance) {
   if (!i.body->is_chain() || !j.body->is_chain()) {

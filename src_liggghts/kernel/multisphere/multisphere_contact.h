@@ -269,10 +269,6 @@ ContactCount for_each_contact(const MultispherePose& i, const MultispherePose& j
   return count;
 }
 
-/// The same, into a vector that is cleared first (it allocates only while its capacity grows).
-ContactCount find_contacts(const MultispherePose& i, const MultispherePose& j,
-                           const Vector3& centre_distance, std::vector<SphereContact>& contacts);
-
 /// Lower bound of the distance between the two bodies. Of chains that of their capsules (axis
 /// segments with the largest radius), of others that of their bounding spheres. Positive: proof
 /// that no spheres touch (length). Negative values are good to 1e-7 of the bodies' lengths where
