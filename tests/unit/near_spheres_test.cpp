@@ -37,7 +37,7 @@ Pairs closer_than(double gap, const MultispherePose& i, const MultispherePose& j
 
 /// Two bodies that tumble about each other, now touching, now apart.
 struct Tumbling {
-  Random random(seed);
+  Random random{seed};
   MultispherePose i, j;
   Vector3 centre_distance{1.5, 0.0, 0.0}, velocity, spin_i, spin_j;
 
