@@ -20,6 +20,7 @@ from pathlib import Path
 import numpy as np
 
 import poured
+import two_engines
 import where
 from figures import CASE, figure_rows, write_figures
 from machine import description
@@ -431,6 +432,8 @@ def arguments_of(all_groups):
                         help="where time goes, by sampling (perf), instead of the table")
     parser.add_argument("--instructions", action="store_true",
                         help="instructions per particle and step (valgrind), instead of the table")
+    parser.add_argument("--against", type=Path, metavar="ENGINE",
+                        help="costs over those of another engine, run in turns, instead of the table")
     parser.add_argument("--engine", type=Path, required=True)
     parser.add_argument("--out", type=Path, required=True)
     return parser.parse_args()
@@ -462,6 +465,11 @@ def main():
         report = where.report(bench, chosen, arguments.instructions)
         print(report)
         (arguments.out / "where.md").write_text(report + "\n")
+        return
+    if arguments.against:
+        table = two_engines.report(bench, chosen, arguments.against.resolve(), arguments.repeats)
+        (arguments.out / "against.md").write_text(f"{description(arguments.engine)}\nThe other engine: "
+                                                  f"{arguments.against}\n\n{table}\n")
         return
     rows, begin = [], time.time()
     repeats = 1 if arguments.short else arguments.repeats
