@@ -150,10 +150,15 @@ TriangleContact find_boundary_contact(const EllipsoidBody& body, const Triangle&
 }
 
 TriangleContacts find_face_contact(const SphereBody& body, const Triangle& t) {
-  const Vector3 right = unit_normal(t);
-  const double height = dot(right, body.centre - t[0]);
-  const bool above = body.beyond_wall ? dot(right, t[0]) < 0.0 : height > 0.0;
   TriangleContacts contacts;
+  const Vector3 area = area_vector(t);
+  const double raised = dot(area, body.centre - t[0]); // height times |area|
+  const bool above = body.beyond_wall ? dot(area, t[0]) < 0.0 : raised > 0.0;
+  if (above == (raised > 0.0) && // most triangles are out of reach: no root for these
+      raised * raised > (1.0 + plane_rounding) * body.radius * body.radius * dot(area, area))
+    return contacts;
+  const Vector3 right = normalized(area);
+  const double height = dot(right, body.centre - t[0]);
   if ((above ? height : -height) > body.radius)
     return contacts;
   contacts.plane_is_reached = true;
