@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "batched_law.h"
 
-#include "host_models.h"
+#include "contact_models.h"
 #include "model_settings.h"
 
 #include <algorithm>
@@ -36,12 +36,13 @@ std::string variant(const std::string& style, const ModelSettings& settings) {
   return style;
 }
 
-const BatchedLaw* chosen_law(const Kind& kind, HostModels& models, const ModelSettings& settings) {
+const BatchedLaw* chosen_law(const Kind& kind, const ModelMatch& matches,
+                             const ModelSettings& settings) {
   const auto is_variant = [](const BatchedLaw& law) { // no name of the host's, which takes it for 0
     return law.style.find(' ') != std::string::npos;
   };
   for (const BatchedLaw& law : ellipsoid::batched_laws())
-    if (law.kind == kind.kind && !is_variant(law) && models.contact_match(kind.word, law.style))
+    if (law.kind == kind.kind && !is_variant(law) && matches(kind.word, law.style))
       return ellipsoid::find_batched_law(kind.kind, variant(law.style, settings));
   return nullptr;
 }
@@ -58,11 +59,11 @@ std::string unknown_setting(const ModelSettings& settings) {
 
 } // namespace
 
-LawChoice choose_laws(HostModels& models, const ModelSettings& settings) {
+LawChoice choose_laws(const ModelMatch& matches, const ModelSettings& settings) {
   LawChoice choice;
   for (const Kind& kind : kinds) {
-    choice.laws[kind.kind] = chosen_law(kind, models, settings);
-    if (!choice.laws[kind.kind] && !(kind.may_be_off && models.contact_match(kind.word, "off")))
+    choice.laws[kind.kind] = chosen_law(kind, matches, settings);
+    if (!choice.laws[kind.kind] && !(kind.may_be_off && matches(kind.word, "off")))
       choice.obstacle = std::string("this '") + kind.keyword + "' does not run in batches";
   }
   const std::string setting = unknown_setting(settings);
@@ -107,6 +108,42 @@ void LawTables::begin_step() {
         of_types_[row_ * i + j].values[source.parameter] = value;
         are_uniform_ = are_uniform_ && value == of_types_[row_ + 1].values[source.parameter];
       }
+}
+
+void BatchedModels::choose(const ModelMatch& matches, const ModelSettings& settings,
+                           const std::function<int(const std::string&)>& offset_of) {
+  choice_ = choose_laws(matches, settings);
+  if (!run_in_batches())
+    return;
+  const auto memory = [this, &offset_of](LawKind kind) {
+    const BatchedLaw* law = choice_.laws[kind];
+    return law && !law->memory.empty() ? offset_of(law->memory) : -1;
+  };
+  spring_offset_ = memory(LawKind::tangential);
+  rolling_offset_ = memory(LawKind::rolling);
+  flags_ = CONTACT_NORMAL_MODEL | (choice_.laws[LawKind::cohesion] ? CONTACT_COHESION_MODEL : 0) |
+           CONTACT_TANGENTIAL_MODEL | (rolling_offset_ >= 0 ? CONTACT_ROLLING_MODEL : 0);
+}
+
+void BatchedModels::connect(PropertyRegistry& registry, bool has_si_forces) {
+  if (!has_si_forces)
+    choice_.obstacle = "these 'units' do not run in batches";
+  if (run_in_batches())
+    tables_.connect(registry, choice_.laws);
+}
+
+void BatchedModels::begin_step(ellipsoid::ContactLawBatch& batch) {
+  tables_.begin_step();
+  if (tables_.are_uniform())
+    batch.set_parameters_of_all(tables_.parameters(1, 1));
+}
+
+void BatchedModels::solve(ellipsoid::ContactLawBatch& batch, double time_step, bool is_time_step,
+                          bool with_wall) {
+  choice_.settings.time_step = time_step;
+  choice_.settings.is_time_step = is_time_step;
+  choice_.settings.with_wall = with_wall;
+  batch.solve(choice_.laws, choice_.settings);
 }
 
 } // namespace ContactModels

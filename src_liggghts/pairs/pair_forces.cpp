@@ -14,28 +14,15 @@ namespace ellipsoid_host {
 
 using namespace LAMMPS_NS;
 using namespace LIGGGHTS::ContactModels;
-using ellipsoid::LawKind;
 
 void PairForces::read_settings(const ModelSettings& settings) {
-  choice_ = choose_laws(models_, settings);
-  if (!run_in_batches())
-    return;
-  const auto memory = [this](LawKind kind) {
-    const ellipsoid::BatchedLaw* law = choice_.laws[kind];
-    return law && !law->memory.empty() ? pair_.history_offset(law->memory) : -1;
-  };
-  spring_offset_ = memory(LawKind::tangential);
-  rolling_offset_ = memory(LawKind::rolling);
-  law_flags_ = CONTACT_NORMAL_MODEL |
-               (choice_.laws[LawKind::cohesion] ? CONTACT_COHESION_MODEL : 0) |
-               CONTACT_TANGENTIAL_MODEL | (rolling_offset_ >= 0 ? CONTACT_ROLLING_MODEL : 0);
+  laws_.choose([this](const std::string& kind,
+                      const std::string& name) { return models_.contact_match(kind, name); },
+               settings, [this](const std::string& value) { return pair_.history_offset(value); });
 }
 
 void PairForces::connect(PropertyRegistry& registry) {
-  if (force->nktv2p != 1.0)
-    choice_.obstacle = "these 'units' do not run in batches";
-  if (run_in_batches())
-    tables_.connect(registry, choice_.laws);
+  laws_.connect(registry, force->nktv2p == 1.0);
 }
 
 void PairForces::begin_step(bool for_list) {
@@ -45,11 +32,8 @@ void PairForces::begin_step(bool for_list) {
   is_time_step_ = pair_.computeflag() && pair_.shearupdate();
   frozen_group_ = pair_.freeze_group_bit();
   rigid_masses_ = pair_.fr_pair() ? pair_.mr_pair() : nullptr;
-  if (run_in_batches()) {
-    tables_.begin_step();
-    if (tables_.are_uniform())
-      batch_.set_parameters_of_all(tables_.parameters(1, 1));
-  }
+  if (laws_.run_in_batches())
+    laws_.begin_step(batch_);
   reports_.begin_step(for_list);
   SurfacesIntersectData data = common_data();
   models_.begin_pass(data);
@@ -101,7 +85,7 @@ void PairForces::apply_found(const ellipsoid::ContactBatch& search, const Contac
 }
 
 void PairForces::apply(const Contact* contacts, bool are_flagged) {
-  if (run_in_batches())
+  if (laws_.run_in_batches())
     apply_in_batch(contacts, are_flagged);
   else
     apply_by_models(contacts);
@@ -110,9 +94,7 @@ void PairForces::apply(const Contact* contacts, bool are_flagged) {
 /// Forces are added up in the order of the contacts.
 void PairForces::apply_in_batch(const Contact* contacts, bool are_flagged) {
   gather(contacts, are_flagged);
-  choice_.settings.time_step = update->dt;
-  choice_.settings.is_time_step = is_time_step_;
-  batch_.solve(choice_.laws, choice_.settings);
+  laws_.solve(batch_, update->dt, is_time_step_, false);
   const bool in_plane = batch_.are_in_plane(), computes = computes_forces_;
   const bool reports = reports_.are_wanted() || pair_.keeps_records();
   for (int k = 0; k < batch_.size(); ++k) {
@@ -120,7 +102,7 @@ void PairForces::apply_in_batch(const Contact* contacts, bool are_flagged) {
     if (!contact.history)
       continue;
     if (is_time_step_)
-      remember(contact, k);
+      laws_.remember(batch_, k, contact.history);
     if (computes && in_plane)
       add_action<true>(contact, k);
     else if (computes)
@@ -132,32 +114,19 @@ void PairForces::apply_in_batch(const Contact* contacts, bool are_flagged) {
 
 /// Motion, masses, material and memory of the contacts.
 void PairForces::gather(const Contact* contacts, bool are_flagged) {
-  const bool uniform = tables_.are_uniform();
   for (int k = 0; k < batch_.size(); ++k) {
     const int i = contacts[k].i, j = contacts[k].j;
     const double* history = contacts[k].history;
     if (!history)
       continue;
     if (!are_flagged)
-      *contacts[k].flag |= law_flags_;
+      *contacts[k].flag |= laws_.flags();
     batch_.set_motion(k,
                       {vector(particles_.v[i]) - vector(particles_.v[j]),
                        vector(particles_.omega[i]), vector(particles_.omega[j])},
                       masses(i, j));
-    if (!uniform)
-      batch_.set_parameters(k, tables_.parameters(particles_.type[i], particles_.type[j]));
-    if (spring_offset_ >= 0)
-      batch_.set_spring(k, vector(&history[spring_offset_]));
-    if (rolling_offset_ >= 0)
-      batch_.set_rolling_torque(k, vector(&history[rolling_offset_]));
+    laws_.set(batch_, k, particles_.type[i], particles_.type[j], history);
   }
-}
-
-inline void PairForces::remember(const Contact& contact, int k) const {
-  if (spring_offset_ >= 0)
-    store(batch_.spring(k), &contact.history[spring_offset_]);
-  if (rolling_offset_ >= 0)
-    store(batch_.rolling_torque(k), &contact.history[rolling_offset_]);
 }
 
 /// @tparam in_plane the other numbers are 0

@@ -25,7 +25,7 @@ class PairForces : private LAMMPS_NS::Pointers {
 
   void read_settings(const ModelSettings& settings);
   /// Why contacts do not run in batches; empty: they do.
-  const std::string& obstacle() const { return choice_.obstacle; }
+  const std::string& obstacle() const { return laws_.obstacle(); }
   /// After the models have registered their properties.
   void connect(PropertyRegistry& registry);
 
@@ -65,10 +65,7 @@ class PairForces : private LAMMPS_NS::Pointers {
 
   ellipsoid::ContactLawBatch batch_;
   Contact added_[ellipsoid::ContactLawBatch::capacity];
-  LIGGGHTS::ContactModels::LawChoice choice_;
-  LIGGGHTS::ContactModels::LawTables tables_;
-  int law_flags_ = 0;                            // that there is a contact, per kind of model
-  int spring_offset_ = -1, rolling_offset_ = -1; // in the history of a contact; -1: no memory
+  LIGGGHTS::ContactModels::BatchedModels laws_;
 
   LIGGGHTS::ContactModels::SurfacesIntersectData common_data() const;
   double mass(int i) const;
@@ -77,10 +74,8 @@ class PairForces : private LAMMPS_NS::Pointers {
   bool owns(int j) const { return newton_ || j < particles_.owned; }
 
   void apply(const Contact* contacts, bool are_flagged);
-  bool run_in_batches() const { return choice_.obstacle.empty(); }
   void apply_in_batch(const Contact* contacts, bool are_flagged);
   void gather(const Contact* contacts, bool are_flagged);
-  void remember(const Contact& contact, int k) const;
   template <bool in_plane> void add_action(const Contact& contact, int k);
   void report_action(const Contact& contact, int k);
   void apply_by_models(const Contact* contacts);

@@ -2,10 +2,12 @@
 #include "fix_wall_gran_ellipsoid.h"
 
 #include "atom.h"
+#include "comm.h"
 #include "ellipsoid_host.h"
 #include "ellipsoid_models.h"
 #include "error.h"
 #include "fix_property_atom.h"
+#include "force.h"
 #include "host_mesh.h"
 #include "input.h"
 #include "model_settings.h"
@@ -65,6 +67,7 @@ FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg,
   const int at_primitive = cylinder_.axis >= 0 ? 2 : 1; // tips of a smooth ellipsoid
   const bool many = multisphere || is_mesh_wall();
   history_.set_size(many ? LCM::ContactsSetting::in(settings) : at_primitive, dnum());
+  choose_laws(settings);
   restart_peratom = 1;
   create_attribute = 1;
   atom->add_callback(0);
@@ -93,6 +96,23 @@ int FixWallGranEllipsoid::maxsize_restart() {
   int of_all = largest;
   MPI_Allreduce(&largest, &of_all, 1, MPI_INT, MPI_MAX, world);
   return of_all;
+}
+
+/// Of walls the host counts the values that models remember, and does not keep their names: they
+/// lie in the order of the models.
+void FixWallGranEllipsoid::choose_laws(const ellipsoid_host::ModelSettings& settings) {
+  constexpr int of_a_law = 3; // values
+  int next = 0;
+  forces_.models().choose(
+      [this](const std::string& kind, const std::string& name) {
+        return impl->contact_match(kind, name);
+      },
+      settings, [&next](const std::string&) { return (next += of_a_law) - of_a_law; });
+  if (forces_.models().run_in_batches() && next != dnum())
+    error->fix_error(FLERR, this,
+                     ("internal error: the contact models remember " + std::to_string(dnum()) +
+                      " values of a contact, their batched laws " + std::to_string(next))
+                         .c_str());
 }
 
 /// @tparam Bodies what the particles are: SmoothEllipsoids or MultisphereBodies
@@ -144,6 +164,39 @@ void FixWallGranEllipsoid::init() {
       error->fix_error(FLERR, this,
                        "has one contact at a seam by itself: remove 'weighted_wall_formulation' "
                        "from its meshes");
+  forces_.models().connect(force->registry, force->nktv2p == 1.0);
+  tell_of_batches();
+}
+
+/// Why the forces of this run do not go through batches, or an empty string.
+std::string FixWallGranEllipsoid::obstacle_to_batches() const {
+  if (heattransfer_flag_)
+    return "heat does not run in batches";
+  if (fix_rigid_)
+    return "particles of rigid bodies do not run in batches";
+  if (store_force_contact_ || store_force_contact_stress_ || store_sum_normal_force())
+    return "what is stored of single contacts does not run in batches";
+  return forces_.models().obstacle();
+}
+
+void FixWallGranEllipsoid::tell_of_batches() {
+  const std::string obstacle = obstacle_to_batches();
+  in_batches_ = obstacle.empty();
+  const std::string text =
+      "fix wall/gran/ellipsoid (id " + std::string(id) + "): forces of contacts are computed " +
+      (in_batches_ ? "in batches" : "one by one, which takes longer: " + obstacle);
+  if (text == told_)
+    return;
+  told_ = text;
+  for (FILE* out : {screen, logfile})
+    if (comm->me == 0 && out)
+      fprintf(out, "%s\n", text.c_str());
+}
+
+/// Before the contacts of a step.
+void FixWallGranEllipsoid::begin_forces() {
+  if (in_batches_)
+    forces_.begin_step(*atom);
 }
 
 void FixWallGranEllipsoid::post_force_primitive(int) {
@@ -226,6 +279,78 @@ ellipsoid_host::WallHistory::Rows FixWallGranEllipsoid::history_of(int i) {
 /// @param[in] weight of the force in the sum
 void FixWallGranEllipsoid::apply(int i, const WallContact& contact, double* history,
                                  double weight) {
+  if (in_batches_)
+    add_to_batch(i, contact, history, weight);
+  else
+    apply_by_models(i, contact, history, weight);
+}
+
+Vector3 FixWallGranEllipsoid::velocity_of_wall(int i, const WallContact& contact) const {
+  return contact.triangle >= 0 ? meshes_.velocity(contact.triangle, contact.foot)
+                               : primitive_velocity(vector(x_[i]) + contact.point);
+}
+
+void FixWallGranEllipsoid::add_to_batch(int i, const WallContact& contact, double* history,
+                                        double weight) {
+  ellipsoid_host::ContactWithWall with_wall{i,      atom_type_wall_, history,
+                                            weight, contact,         velocity_of_wall(i, contact)};
+  if (contact.triangle >= 0) {
+    const WallMeshes::NearTriangle& triangle = meshes_.near(contact.triangle);
+    with_wall.mesh = triangle.mesh;
+    with_wall.triangle = triangle.index;
+    with_wall.wall_type = FixMesh_list_[triangle.mesh]->atomTypeWall();
+    ellipsoid_host::note_triangle(FixMesh_list_[triangle.mesh], i, triangle.id);
+  }
+  forces_.add(with_wall);
+  if (forces_.is_full())
+    apply_batch();
+}
+
+void FixWallGranEllipsoid::apply_batch() {
+  if (in_batches_)
+    forces_.solve_and_clear(
+        update->dt, computeflag_ && shearupdate_,
+        [this](const ellipsoid_host::ContactWithWall& contact,
+               const ellipsoid::ContactAction& action) { act(contact, action); });
+}
+
+/// Forces are added up in the order of the contacts.
+void FixWallGranEllipsoid::act(const ellipsoid_host::ContactWithWall& contact,
+                               const ellipsoid::ContactAction& action) {
+  if (!computeflag_)
+    return;
+  const int i = contact.particle;
+  const Vector3 force = contact.weight * action.force;
+  store(vector(f_[i]) + force, f_[i]);
+  store(vector(atom->torque[i]) + contact.weight * action.torque_i, atom->torque[i]);
+  if (store_force_)
+    store(vector(wallforce_[i]) + force, wallforce_[i]);
+  if (keeps_records())
+    record(contact, action.force);
+  if (contact.mesh >= 0)
+    report_to_mesh(contact, force);
+}
+
+/// @param[in] force before it is weighed
+void FixWallGranEllipsoid::record(const ellipsoid_host::ContactWithWall& contact,
+                                  const Vector3& force) {
+  const WallContact& geometry = contact.geometry;
+  LCM::SurfacesIntersectData data;
+  data.is_wall = true;
+  data.i = contact.particle;
+  data.j = contact.triangle;
+  data.deltan = geometry.overlap;
+  data.reff = geometry.reduced_radius;
+  store(vector(x_[contact.particle]) + geometry.point, data.contact_point);
+  store(-geometry.normal, data.en);
+  set_spheres(geometry.sphere, -1, contact.weight);
+  add_record(data, force, *atom,
+             contact.mesh >= 0 ? FixMesh_list_[contact.mesh]->triMesh() : nullptr);
+}
+
+/// @param[in] weight of the force in the sum
+void FixWallGranEllipsoid::apply_by_models(int i, const WallContact& contact, double* history,
+                                           double weight) {
   LCM::SurfacesIntersectData data;
   data.is_wall = true;
   data.is_non_spherical = true;
@@ -240,10 +365,9 @@ void FixWallGranEllipsoid::apply(int i, const WallContact& contact, double* hist
     mesh = FixMesh_list_[meshes_.near(contact.triangle).mesh];
     prepare_for_mesh(i, contact, mesh, data);
   }
+  const Vector3 velocity = velocity_of_wall(i, contact);
   double wall_velocity[3];
-  store(mesh ? meshes_.velocity(contact.triangle, contact.foot)
-             : primitive_velocity(vector(x_[i]) + contact.point),
-        wall_velocity);
+  store(velocity, wall_velocity);
   set_spheres(contact.sphere, -1, weight);
   const Vector3 force = vector(f_[i]), torque = vector(atom->torque[i]);
   const Heat heat = present_heat(i);
@@ -255,7 +379,9 @@ void FixWallGranEllipsoid::apply(int i, const WallContact& contact, double* hist
   if (heattransfer_flag_)
     weigh_heat(i, heat, contact, weight);
   if (mesh && computeflag_)
-    report_to_mesh(i, contact, vector(f_[i]) - force, wall_velocity);
+    report_to_mesh({i, 0, nullptr, weight, contact, velocity, meshes_.near(contact.triangle).mesh,
+                    meshes_.near(contact.triangle).index},
+                   vector(f_[i]) - force);
 }
 
 /// What the host keeps per mesh: material, force storage, and the list of triangles touched.
@@ -300,12 +426,13 @@ void FixWallGranEllipsoid::weigh_heat(int i, const Heat& before, const WallConta
 }
 
 /// Force and torque on the mesh, stress and wear of the triangle, drive of servo walls.
-void FixWallGranEllipsoid::report_to_mesh(int i, const WallContact& contact, const Vector3& force,
-                                          double* wall_velocity) {
-  const WallMeshes::NearTriangle& triangle = meshes_.near(contact.triangle);
-  double force_on_particle[3], lever[3];
+/// @param[in] force that the particle feels
+void FixWallGranEllipsoid::report_to_mesh(const ellipsoid_host::ContactWithWall& contact,
+                                          const Vector3& force) {
+  double force_on_particle[3], lever[3], velocity[3];
   store(force, force_on_particle);
-  store(contact.point, lever);
-  ellipsoid_host::add_to_mesh(FixMesh_list_[triangle.mesh], i, force_on_particle, lever,
-                              triangle.index, wall_velocity);
+  store(contact.geometry.point, lever);
+  store(contact.velocity, velocity);
+  ellipsoid_host::add_to_mesh(FixMesh_list_[contact.mesh], contact.particle, force_on_particle,
+                              lever, contact.triangle, velocity);
 }

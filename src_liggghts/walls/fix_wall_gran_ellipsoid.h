@@ -16,6 +16,7 @@ FixStyle(wall/gran/ellipsoid,FixWallGranEllipsoid)
 #include "update.h"
 #include "wall_command.h"
 #include "wall_contact_finder.h"
+#include "wall_forces.h"
 #include "wall_history.h"
 #include "wall_meshes.h"
 
@@ -25,8 +26,10 @@ FixStyle(wall/gran/ellipsoid,FixWallGranEllipsoid)
 
 namespace LAMMPS_NS {
 
-/// Takes the arguments of fix wall/gran. The host parses them, keeps the lists of near particles
-/// and applies the contact models; the geometry and the history of the contacts are ours.
+/// Takes the arguments of fix wall/gran. The host parses them and keeps the lists of near
+/// particles; the geometry and the history of the contacts are ours. Forces are computed in batches
+/// where the kernel has the chosen laws, else by the host's contact models, one contact after the
+/// other.
 class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
                              public ellipsoid_host::HasLaw,
                              public ellipsoid_host::SendsRows,
@@ -41,7 +44,9 @@ class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
   void post_force(int vflag) override {
     begin_records(update->ntimestep);
     begin_heat();
+    begin_forces();
     FixWallGran::post_force(vflag);
+    apply_batch();
   }
 
   // of the contacts beyond the slots that each particle has
@@ -71,15 +76,30 @@ class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
   std::unique_ptr<ellipsoid_host::WallContactFinder> finder_;
   std::vector<ellipsoid::WallContact> contacts_; // of one particle with the wall
   std::vector<char> may_touch_; // per owned particle: touched in the last step, or new lists
+  ellipsoid_host::WallForces forces_;
+  bool in_batches_ = false; // in this step
+  std::string told_;        // of batches, in the last run
 
   FixWallGranEllipsoid(class LAMMPS* lmp, int narg, char** arg,
                        const ellipsoid_host::WallCylinder& cylinder);
   template <class Bodies> void choose_finder();
+  void choose_laws(const ellipsoid_host::ModelSettings& settings);
+  std::string obstacle_to_batches() const;
+  void tell_of_batches();
+  void begin_forces();
   void forget_far_contacts();
   ellipsoid::Vector3 primitive_velocity(const ellipsoid::Vector3& point) const;
   bool find_and_apply_contacts(int particle);
   ellipsoid_host::WallHistory::Rows history_of(int particle);
   void apply(int particle, const ellipsoid::WallContact& contact, double* history, double weight);
+  ellipsoid::Vector3 velocity_of_wall(int particle, const ellipsoid::WallContact& contact) const;
+  void add_to_batch(int particle, const ellipsoid::WallContact& contact, double* history,
+                    double weight);
+  void apply_batch();
+  void act(const ellipsoid_host::ContactWithWall& contact, const ellipsoid::ContactAction& action);
+  void record(const ellipsoid_host::ContactWithWall& contact, const ellipsoid::Vector3& force);
+  void apply_by_models(int particle, const ellipsoid::WallContact& contact, double* history,
+                       double weight);
   void prepare_for_mesh(int particle, const ellipsoid::WallContact& contact, FixMeshSurface* mesh,
                         LCM::SurfacesIntersectData& data);
   void weigh(int particle, const ellipsoid::Vector3& force, const ellipsoid::Vector3& torque,
@@ -91,8 +111,8 @@ class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
   Heat present_heat(int particle) const;
   void weigh_heat(int particle, const Heat& before, const ellipsoid::WallContact& contact,
                   double weight);
-  void report_to_mesh(int particle, const ellipsoid::WallContact& contact,
-                      const ellipsoid::Vector3& force, double* wall_velocity);
+  void report_to_mesh(const ellipsoid_host::ContactWithWall& contact,
+                      const ellipsoid::Vector3& force);
 };
 
 } // namespace LAMMPS_NS

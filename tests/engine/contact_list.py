@@ -229,6 +229,8 @@ class MeshWall(unittest.TestCase):
             self.assertEqual(set(plane[:, triangle]), {-1})
             same = np.arange(len(WALL_COLUMNS)) != triangle
             scale = np.maximum(np.abs(plane).max(axis=0), 1e-9)
+            forces = [k for k, name in enumerate(WALL_COLUMNS) if name.startswith("f")]
+            scale[forces] = np.abs(plane[:, forces]).max()  # each is a part of the same force
             np.testing.assert_allclose((meshed / scale)[:, same], (plane / scale)[:, same], atol=1e-9)
             for row in as_dicts(meshed, WALL_COLUMNS):
                 a, b, c = triangles[int(row["triangle"])]

@@ -15,9 +15,10 @@ from pathlib import Path
 
 import numpy as np
 
-from _contact_rows import (PAIR_COLUMNS, WALL_COLUMNS, crowd, crowd_setup, floor_and_lid, lists,
+from _contact_rows import (PAIR_COLUMNS, WALL_COLUMNS, WIDTH, crowd, crowd_setup, floor_and_lid, lists,
                            named, read_rows, refusal)
 from _engine import SPHERE_COLUMNS, Setup, dump, read_dump, run, vectors
+from _mesh import write_stl
 from _multisphere import subspheres
 from multisphere_sphere_limit import STEPS, TIME_STEP, impact
 
@@ -266,6 +267,71 @@ class Batches(unittest.TestCase):
                             ("model hertz tangential history rolling_friction epsd", "this 'rolling_friction'")):
             text, _, _ = self.rows(law, "smooth", "", "one_by_one")
             self.assertIn(f"one by one, which takes longer: {reason} does not run in batches", text)
+
+
+class BatchesAtWalls(unittest.TestCase):
+    """Forces of walls in batches and by the host's own models, in the same state; `heating_tracking on` as above."""
+
+    SURFACES = {"smooth": (1.8e-3, 2.3e-3, 2.6e-3), "multisphere contacts 16": (2.5e-3, 1.7e-3, 1.7e-3)}
+    PLANES = """fix floor all {wall} primitive type 1 zplane 0.0 shear x 0.4 {settings}
+fix lid all {wall} primitive type 1 zplane 0.0082 {settings}
+"""
+    # a floor that moves within itself, of two triangles; the thermo line has the force on it
+    MESH = """fix plate all mesh/surface/stress file plate.stl type 1 surface_vel 0.3 -0.2 0.0
+fix floor all {wall} mesh n_meshes 1 meshes plate {settings}
+thermo_style custom step f_plate[1] f_plate[2] f_plate[3] f_plate[4] f_plate[5] f_plate[6]
+thermo_modify format float %.15g
+"""
+
+    def rows(self, law, surface, settings, name, walls):
+        """Output of the engine, last frame of the particles, frames of the contacts with walls, forces on the mesh."""
+        setup = crowd_setup(surface)
+        script = setup.with_particles(crowd(self.SURFACES[surface]), f"{name}.data") + "neigh_modify page 1000000\n"
+        if surface != "smooth":
+            script += subspheres(5)
+        model, *contacts = surface.split(" ", 1)
+        wall = f"wall/gran/ellipsoid {law} surface {model}"
+        script += walls.format(wall=wall, settings=" ".join(contacts + [settings]))
+        script += "fix motion all nve/ellipsoid\n" + lists(name, 50) + dump(f"{name}.dump", 50) + "thermo 50\nrun 200\n"
+        text = run(with_properties(script, law), name=f"in.{name}").text
+        table = re.findall(r"^ +(\d+)((?: +[-+.\de]+){6}) *$", text, flags=re.MULTILINE)
+        return (text, read_dump(f"{name}.dump")[1], read_rows(f"{name}.walls"),
+                np.array([[float(word) for word in row.split()] for _, row in table]))
+
+    def compare(self, law, surface, name, walls):
+        settings = "tangential_damping on limitForce on" if "/viscous" not in law else ""
+        text, particles, contacts, forces = self.rows(law, surface, settings, name, walls)
+        self.assertIn("(id floor): forces of contacts are computed in batches", text)
+        text, same_particles, same_contacts, same_forces = self.rows(
+            law, surface, f"{settings} heating_tracking on", f"{name}h", walls)
+        self.assertIn("(id floor): forces of contacts are computed one by one, which takes longer: "
+                      "'heating_tracking on' does not run in batches", text)
+        for columns in ("fx", "fy", "fz"), ("tqx", "tqy", "tqz"), ("vx", "vy", "vz"):
+            found, expected = vectors(particles, *columns), vectors(same_particles, *columns)
+            self.assertLess(np.abs(found - expected).max() / np.abs(expected).max(), 1e-9, law)
+        for step, expected in same_contacts.items():
+            self.assertEqual(contacts[step].shape, expected.shape)
+            self.assertGreater(len(expected), 10)
+            scale = np.abs(expected).max(axis=0)
+            difference = np.abs(contacts[step] - expected) / np.where(scale > 0.0, scale, 1.0)
+            self.assertLess(difference.max(), 1e-9, law)
+        return forces, same_forces
+
+    def test_planes(self):
+        for surface in self.SURFACES:
+            for k, law in enumerate(Batches.LAWS):
+                self.compare(law, surface, f"plane{surface[0]}{k}", self.PLANES)
+
+    def test_meshes(self):
+        half, low = 0.5 * WIDTH, 0.0
+        corners = [(-half, -half, low), (half, -half, low), (half, half, low), (-half, half, low)]
+        write_stl("plate.stl", [[corners[k] for k in triangle] for triangle in ((0, 1, 2), (0, 2, 3))])
+        for surface in self.SURFACES:
+            for k in 1, 2, 8:
+                forces, same = self.compare(Batches.LAWS[k], surface, f"mesh{surface[0]}{k}", self.MESH)
+                self.assertEqual(forces.shape, (5, 6))
+                self.assertGreater(np.abs(same[-1]).min(), 0.0)
+                np.testing.assert_allclose(forces, same, rtol=1e-9, atol=1e-9 * np.abs(same).max())
 
 
 class Refused(unittest.TestCase):

@@ -7,10 +7,15 @@
 
 namespace ellipsoid {
 
+/// Radius of curvature of a plane that a sphere of radius R touches: so large that it makes no
+/// difference to R, and not so large that products of four leave the range of numbers (length).
+constexpr double plane_radius(double radius) { return 1e18 * radius; }
+
 struct CohesiveContact {
   double overlap;            ///< h (length)
   double reduced_radius;     ///< R (length)
   double radius_i, radius_j; ///< Gaussian radii of curvature (length)
+  bool with_wall;            ///< of one body with a wall; radius_j: see plane_radius()
 };
 
 /// The host's simplified Johnson-Kendall-Roberts model: an energy density times the area of the
@@ -29,14 +34,14 @@ struct Sjkr {
   }
 };
 
-/// The same with twice the area of Hertz's contact.
+/// The same with twice the area of Hertz's contact, at walls with that area.
 struct Sjkr2 {
   static constexpr const char* style = "sjkr2";
   enum { energy_density };
   static constexpr const char* parameters[] = {"cohEnergyDens"};
 
   template <class Parameters> static double pull(const CohesiveContact& c, const Parameters& p) {
-    return p(energy_density) * 4.0 * M_PI * c.reduced_radius * c.overlap;
+    return p(energy_density) * (c.with_wall ? 2.0 : 4.0) * M_PI * c.reduced_radius * c.overlap;
   }
 };
 

@@ -74,8 +74,9 @@ template <class Law> struct NormalStep : StepOfContacts<NormalStep<Law>> {
 template <class Law> struct CohesionStep : StepOfContacts<CohesionStep<Law>> {
   template <class Space> static void apply(LawColumns& c, const LawSettings& settings, Space at) {
     const auto in = [&](int column) { return c.in[column][at.k]; };
-    const double pull = Law::pull({in(C::overlap), in(C::radius), in(C::radius_i), in(C::radius_j)},
-                                  Parameters{c, LawParameters::of_cohesion, at.k});
+    const double pull = Law::pull(
+        {in(C::overlap), in(C::radius), in(C::radius_i), in(C::radius_j), settings.with_wall},
+        Parameters{c, LawParameters::of_cohesion, at.k});
     const double along = c.out[C::along_normal][at.k] - pull;
     c.out[C::along_normal][at.k] = along;
     if (settings.cohesion_lessens_friction)

@@ -30,6 +30,7 @@ struct LawSettings {
   double tangential_stiffness_factor = 1.0; ///< of that of the normal law
   bool cohesion_lessens_friction = false;   ///< friction is limited by the sum of push and pull
   bool resists_torsion = false;             ///< rolling friction also resists spin about the normal
+  bool with_wall = false;                   ///< contacts of one body each with a wall
 };
 
 struct LawColumns;

@@ -31,7 +31,7 @@ struct PairMotion {
 /// Masses of the two bodies; m_ij = m_i m_j / (m_i + m_j).
 struct PairMasses {
   double i, j;
-  /// One body of this mass, the other cannot move: m_ij = mass.
+  /// One body of this mass, the other cannot move (a wall, a held body): m_ij = mass.
   static PairMasses one_held(double mass) { return {2.0 * mass, 2.0 * mass}; }
   double effective() const { return i * j / (i + j); }
 };
