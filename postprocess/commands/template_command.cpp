@@ -275,9 +275,9 @@ void add_template_command(CLI::App& program, int& exit_code) {
   command
       ->add_option(
           "--spacing", options->spacing_word,
-          "paper, minimax (the same as minimax_outline), minimax_outline, minimax_area, "
-          "paper_touching (N = 3); with --semiaxes: medial (default), minimax_volume or these; "
-          "with --from: medial (default) or minimax_volume")
+          "of chains: " + words_of_chains() +
+              " (paper_touching: N = 3; minimax is minimax_outline); with --semiaxes: medial "
+              "(default), minimax_volume or these; with --from: medial (default) or minimax_volume")
       ->capture_default_str()
       ->check(check_by([](const std::string& word) { sphere_spacing_from_word(word); }));
   add_set_options(*command, options->sets);

@@ -32,16 +32,11 @@ SphereSpacing spacing_at(const Frame& frame, Column spacing, std::size_t row,
   if (!spacing)
     return options.spacing.value_or(SphereSpacing::paper);
   const double code = (*spacing)[row];
-  for (const auto known :
-       {SphereSpacing::paper, SphereSpacing::minimax_outline, SphereSpacing::minimax_area,
-        SphereSpacing::paper_touching, SphereSpacing::medial, SphereSpacing::minimax_volume})
-    if (code == static_cast<double>(known))
-      return known;
-  throw bad_value(
-      frame, row,
-      "f_spacing 0 (paper), 1 (minimax_outline), 2 (minimax_area), 3 (paper_touching), 4 (medial), "
-      "5 (minimax_volume), or 1000 and the number of a clump",
-      fmt::format("{}", code));
+  if (const auto known = sphere_spacing_from_number(code))
+    return *known;
+  throw bad_value(frame, row,
+                  "f_spacing " + numbers_of_spacings() + ", or 1000 and the number of a clump",
+                  fmt::format("{}", code));
 }
 
 /// @param[in] scale of the set's lengths

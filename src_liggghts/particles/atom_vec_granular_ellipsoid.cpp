@@ -101,9 +101,9 @@ void AtomVecGranularEllipsoid::read_subspheres(int i, char** values) {
 void AtomVecGranularEllipsoid::check_chain(const std::array<int, 2>& chain, const double* axes,
                                            const char* id) const {
   const auto [count, spacing] = chain;
-  constexpr int touching = static_cast<int>(ellipsoid::SphereSpacing::paper_touching);
+  const auto placed = ellipsoid::sphere_spacing_from_number(spacing);
   std::string problem;
-  if (count == 0 || spacing > touching) // smooth, or a set of spheres
+  if (count == 0 || !placed || is_planar(*placed)) // smooth, a clump or another set of spheres
     return;
   if (count > ellipsoid::largest_sphere_count)
     problem = "column N has the value '" + std::to_string(count) + "', allowed are 0 to " +
@@ -112,7 +112,7 @@ void AtomVecGranularEllipsoid::check_chain(const std::array<int, 2>& chain, cons
     problem = "column N is " + std::to_string(count) + ", allowed are 0 and odd numbers";
   else if (axes[1] != axes[2])
     problem = "column N is " + std::to_string(count) + ", and b and c differ; allowed is 0";
-  else if (count > 3 && spacing == touching)
+  else if (count > 3 && placed == ellipsoid::SphereSpacing::paper_touching)
     problem = "column spacing is " + std::to_string(spacing) + ", which is for N = 3, and N is " +
               std::to_string(count) + "; use 0, 1 or 2";
   if (!problem.empty())

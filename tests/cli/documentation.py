@@ -75,13 +75,15 @@ def words_of_parsers(text, sources):
     """Words that functions NAME_from_word() of the kernel read."""
     words = set()
     for function in set(re.findall(r"\b(\w+_from_word)\(", text)):
-        bodies = [body for source in sources.values()
-                  for body in re.findall(rf"\b{function}\([^)]*\) \{{\n(.*?)^\}}", source,
-                                         re.MULTILINE | re.DOTALL)]
-        words |= set(re.findall(rf"== {WORD}", "\n".join(bodies)))
+        for source in sources.values():
+            for body in re.findall(rf"\b{function}\([^)]*\) \{{\n(.*?)^\}}", source, re.MULTILINE | re.DOTALL):
+                words |= set(re.findall(rf"== {WORD}", body))
+                if "row.word" in body:
+                    table = re.search(r"\brows\[\] = \{\n(.*?)^\};", source, re.MULTILINE | re.DOTALL)
+                    words |= set(re.findall(WORD, table.group(1)))
         if not words:
-            raise SystemExit(f"the words that {function}() reads were not found; compare with == "
-                             f"in its body")
+            raise SystemExit(f"the words that {function}() reads were not found; compare with == in its body, or "
+                             f"with row.word of a table rows[]")
     return words
 
 

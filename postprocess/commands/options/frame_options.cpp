@@ -33,8 +33,7 @@ void add_size_options(CLI::App& command, ParticleOptions& particles) {
           [&particles](const std::string& word) {
             particles.spacing = sphere_spacing_from_word(word);
           },
-          "spacing of these sub-spheres: paper (default), minimax_outline, minimax_area, medial, "
-          "minimax_volume, paper_touching")
+          "spacing of these sub-spheres: " + words_of_spacings() + " (default: paper)")
       ->check(check_by([](const std::string& word) { sphere_spacing_from_word(word); }));
   command
       .add_option(

@@ -111,10 +111,6 @@ bool is_one_body(const SphereSet& set) {
   return *std::max_element(parts.begin(), parts.end()) == 0 && holds_centre(set);
 }
 
-bool is_planar(SphereSpacing spacing) {
-  return spacing == SphereSpacing::medial || spacing == SphereSpacing::minimax_volume;
-}
-
 int largest_count_of(SphereSpacing spacing) {
   return spacing == SphereSpacing::medial ? largest_set_count : largest_sphere_count;
 }

@@ -13,9 +13,6 @@
 
 namespace ellipsoid {
 
-/// Whether a spacing places its spheres on the medial ellipse; the others are chains on the axis.
-bool is_planar(SphereSpacing spacing);
-
 /// The set of N spheres, centred on the origin, semi-axes along the body's x, y, z in any order of
 /// size; it has the ellipsoid's three planes of symmetry, so that centre and principal axes are
 /// the ellipsoid's. The same numbers for the same arguments; scales with the unit of length.

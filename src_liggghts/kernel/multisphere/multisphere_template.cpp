@@ -31,10 +31,10 @@ void check_semiaxes(double a, double b) {
 }
 
 void check_is_chain(SphereSpacing spacing) {
-  if (spacing == SphereSpacing::medial || spacing == SphereSpacing::minimax_volume)
+  if (is_planar(spacing))
     refuse("spacing " + word_of(spacing) +
-           " is a set of spheres in a plane, no chain; a chain needs another spacing: use paper, "
-           "minimax_outline, minimax_area or paper_touching");
+           " is a set of spheres in a plane, no chain; a chain needs another spacing: use one of " +
+           words_of_chains());
 }
 
 void check_count(int count) {
@@ -89,43 +89,6 @@ bool is_admissible(const HalfChain& half, SphereSpacing spacing) {
 }
 
 } // namespace
-
-SphereSpacing sphere_spacing_from_word(const std::string& word) {
-  if (word == "paper")
-    return SphereSpacing::paper;
-  if (word == "minimax" || word == "minimax_outline")
-    return SphereSpacing::minimax_outline;
-  if (word == "minimax_area")
-    return SphereSpacing::minimax_area;
-  if (word == "paper_touching")
-    return SphereSpacing::paper_touching;
-  if (word == "medial")
-    return SphereSpacing::medial;
-  if (word == "minimax_volume")
-    return SphereSpacing::minimax_volume;
-  refuse(
-      "spacing '" + word +
-      "' is unknown; use paper, minimax, minimax_outline, minimax_area, paper_touching, medial or "
-      "minimax_volume");
-}
-
-std::string word_of(SphereSpacing spacing) {
-  switch (spacing) {
-  case SphereSpacing::minimax_outline:
-    return "minimax_outline";
-  case SphereSpacing::minimax_area:
-    return "minimax_area";
-  case SphereSpacing::paper_touching:
-    return "paper_touching";
-  case SphereSpacing::medial:
-    return "medial";
-  case SphereSpacing::minimax_volume:
-    return "minimax_volume";
-  case SphereSpacing::paper:
-    break;
-  }
-  return "paper";
-}
 
 int smallest_overlapping_count(double aspect_ratio, SphereSpacing spacing) {
   check_semiaxes(aspect_ratio, 1.0);

@@ -10,29 +10,13 @@
 //  - "outline" is the boundary of that union.
 #pragma once
 
+#include "multisphere/sphere_spacing.h"
+
 #include <array>
 #include <string>
 #include <vector>
 
 namespace ellipsoid {
-
-/// How the spheres are placed and sized. The numeric values stand in dumps (column f_spacing).
-enum class SphereSpacing {
-  paper = 0,           ///< eqs. (3) to (8): inscribed, distances as the ellipse's ordinates
-  minimax_outline = 1, ///< the largest distance between outline and ellipse is smallest
-  minimax_area = 2,    ///< the area between outline and ellipse is smallest
-  paper_touching = 3,  ///< N = 3 of section 4.2.1: side spheres touch the centre sphere
-  medial = 4,          ///< inscribed, on the medial ellipse, any a, b, c: ellipsoid_spheres.h
-  minimax_volume = 5   ///< the same plane, the volume between is smallest: ellipsoid_spheres.h
-};
-
-/// Reads "paper", "minimax" (the same as "minimax_outline"), "minimax_outline", "minimax_area",
-/// "paper_touching", "medial", "minimax_volume".
-/// @throws std::invalid_argument any other word
-SphereSpacing sphere_spacing_from_word(const std::string& word);
-
-/// The word that sphere_spacing_from_word() reads.
-std::string word_of(SphereSpacing spacing);
 
 /// More spheres than this are refused: far beyond any use, and a bound on the solver's time.
 constexpr int largest_sphere_count = 999;
