@@ -4,9 +4,8 @@
 // advancement).
 //
 // Bodies that are apart stay apart until the clock of one of them reaches a deadline
-// (motion_clocks.h): until then the check of the pair is deferred. Nobody has to ask every pair in
-// every step: the pairs of a body are gone through only when its clock has come to the first of
-// their deadlines.
+// (motion_clocks.h): until then the check of the pair is deferred. A step does not go through all
+// pairs: those of a body are checked only when its clock has come to the first of their deadlines.
 #pragma once
 
 #include "separation/motion_clocks.h"
