@@ -15,7 +15,7 @@ struct FlowGate {
   std::optional<double> radius;                  ///< of a disc about the point (length)
   std::vector<std::array<Vector3, 3>> triangles; ///< if any: instead of plane and disc
 
-  /// Whether a point of the plane belongs to it (that of triangles: not asked).
+  /// Whether a point of the plane belongs to it (not needed of triangles).
   bool holds(const Vector3& position) const;
 };
 

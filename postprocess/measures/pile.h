@@ -32,7 +32,7 @@ struct PileOptions {
 struct PileBody {
   std::vector<std::size_t> members;   ///< indices of the set, ascending
   std::size_t strays = 0;             ///< particles that do not belong to it
-  NearPairs near;                     ///< of all particles, that were looked at for the members
+  NearPairs near;                     ///< of all particles, from which the members were chosen
   double section = 0.0;               ///< z of the plane (length)
   double out_of_plane = 0.0;          ///< largest |z - section| of a member (length)
   std::vector<PlaneEllipse> outlines; ///< of the members

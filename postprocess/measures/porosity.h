@@ -9,7 +9,7 @@
 
 namespace ellipsoid::post {
 
-/// Which part of the pile is looked at.
+/// Which part of the pile is measured.
 enum class PorosityRegion {
   whole,  ///< between wall, floor and free surface over the pile's whole extent
   middle, ///< the same, but only between the abscissas of A and B (both B of a two-sided pile)

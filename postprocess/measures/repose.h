@@ -35,7 +35,7 @@ enum class Flank { right, left };
 /// h(x) is the mean of y_max over x +- a (a: mean largest semi-axis), H its largest value over the
 /// floor, at x_H. A is the first column from x_H downhill with h < (1 - cut_top) H, B the last one
 /// before h falls below cut_bottom H for the first time: what lies beyond (a layer on the floor,
-/// heaps of rolled-off particles) is not looked at. The line is fitted to y_max(x) itself in
+/// heaps of rolled-off particles) is not used. The line is fitted to y_max(x) itself in
 /// equidistant columns from A to B. Columns on one particle are not independent: the standard
 /// error counts as many as particle lengths 2a fit in the segment.
 /// Throws InputError when the segment has less than 3 columns.

@@ -31,8 +31,8 @@ struct Frame {
   std::size_t rows = 0;
   std::vector<std::string> names;           ///< of the columns
   std::vector<std::vector<double>> columns; ///< columns[k][row]
-  /// By column: the first value that is no finite number, as a message. Such a column can be looked
-  /// at by nobody, see find().
+  /// By column: the first value that is no finite number, as a message. Such a column is refused
+  /// where it is needed, see find().
   std::vector<std::string> unreadable;
   std::string unread; ///< lines of the rows while they are not in the columns yet, see read_rows()
 

@@ -25,7 +25,7 @@ class EllipsoidSurface : public SurfaceModelBase {
   inline void registerSettings(Settings&) {}
   inline void postSettings(IContactHistorySetup*, ContactModelBase*) {}
 
-  // the earliest moment at which the caller, of which the host builds its own part first, is whole
+  // here the caller is complete: the host constructs its base class first
   inline void connectToProperties(PropertyRegistry&) {
     caller_ = dynamic_cast<EllipsoidContactCaller*>(setup_);
     if (!caller_)

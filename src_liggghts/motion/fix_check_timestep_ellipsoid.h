@@ -28,7 +28,7 @@ class FixCheckTimestepEllipsoid : public Fix {
   ~FixCheckTimestepEllipsoid() override;
   int setmask() override;
   void init() override;
-  /// A time step that is far too long is said before anything flies apart.
+  /// Warns of a time step that is far too long before particles fly apart.
   void setup(int) override;
   void end_of_step() override;
   double compute_vector(int n) override { return fractions_[n]; }

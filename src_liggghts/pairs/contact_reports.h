@@ -22,7 +22,7 @@ class ContactReports : private LAMMPS_NS::Pointers {
   /// @param[in] for_list a command of the host lists the contacts of this step
   void begin_step(bool for_list);
   void end_step();
-  /// Whether somebody wants to know of each contact in this step.
+  /// Whether a command needs each contact of this step.
   bool are_wanted() const { return are_wanted_; }
 
   /// @param[in] force_i, force_j what the contact adds to both

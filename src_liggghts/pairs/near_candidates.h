@@ -23,7 +23,7 @@ namespace ellipsoid_host {
 class NearCandidates {
  public:
   /// Before new lists are made, on all ranks together: whether bodies are so long or flat that
-  /// their true shapes are asked, and by what margin.
+  /// pairs are chosen by true shape, and by what margin.
   /// @param[in] shapes_bound no contact is possible outside of the ellipsoids
   void prepare(LAMMPS_NS::LAMMPS& lmp, bool shapes_bound);
   /// For a new list.

@@ -27,7 +27,7 @@ constexpr double batch_normal_error = 1.0e-12;
 /// condition number of the Hessian as tr^2 / det, r the relative change of the radii of curvature
 /// per radian, and T = tr A / s^2 their second change where the first is 0, on flat sides (the
 /// larger one of the two bodies). Random and flat-on-flat pairs up to aspect 100, with overlaps up
-/// to 0.45 det W / tr W, left 0.63 of this at most.
+/// to 0.45 det W / tr W, had 0.63 of this error at most.
 constexpr double third_order_squared_rate = 0.1;
 constexpr double third_order_flat = 0.125;
 
