@@ -11,6 +11,8 @@
 #include "group.h"
 #include "host_styles.h"
 #include "lammps.h"
+#include "material_check.h"
+#include "mesh_motion_check.h"
 #include "modify.h"
 #include "region.h"
 #include "spin.h"
@@ -122,6 +124,9 @@ void check_fix(LAMMPS* lmp, const Words& words) {
     return;
   warn_of_radius(lmp, words);
   check_region_of_insertion(lmp, words);
+  if (words[2] == "move/mesh")
+    if (const std::string complaint = wrong_mesh_motion(words); !complaint.empty())
+      lmp->error->all(FLERR, ("fix move/mesh (id " + words[0] + "): " + complaint).c_str());
   refuse_style(lmp, "fix", words[2], words[0],
                words[2] == "wall/gran" ? converted("fix", words, 2) : "");
   if (lmp->modify->find_fix(words[0].c_str()) < 0)
@@ -207,6 +212,8 @@ CommandGuard::CommandGuard(LAMMPS* lmp, const char* command, int count, char** a
   check_command(lmp, command_, arguments_);
   if (command_ == "run" || command_ == "write_data" || command_ == "write_restart")
     check_present_styles(lmp);
+  if (command_ == "run" || command_ == "run_time")
+    check_materials(lmp);
   if (command_ == "delete_atoms")
     begin_deletion();
   if (command_ == "set")

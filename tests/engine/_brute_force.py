@@ -441,7 +441,7 @@ REPLAYED = ("id type mass xu yu zu vx vy vz omegax omegay omegaz quat1 quat2 qua
 
 def replay(brute, frames, time_step, spheres=0):
     """Forces (N, 3), torques and contact list of each frame (F, N, columns of REPLAYED) of a run that was dumped every step,
-    by brute force, from the positions of the dump. `spheres`: of each body; 0: smooth."""
+    by brute force, from the positions of the dump. `spheres`: of each body; 0: smooth. Walls move from the first step on."""
     before = None
     for k, values in enumerate(frames):
         axes, mass = values[:, 16:19], values[:, 2]
@@ -454,6 +454,6 @@ def replay(brute, frames, time_step, spheres=0):
             old, f, t = before
             v = old.v + 0.5 * time_step * f / old.mass[:, None]
             omega = frame.omega_of(old.spin() + 0.5 * time_step * t)
-        force, torque, rows, _ = brute.step(frame, 0.0, v, omega, advance=k > 0)
+        force, torque, rows, _ = brute.step(frame, k * time_step, v, omega, advance=k > 0, wall_moves=k > 0)
         yield force, torque, rows
         before = frame, values[:, 19:22], values[:, 22:25]

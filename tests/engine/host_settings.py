@@ -107,6 +107,19 @@ class HostSettings(unittest.TestCase):
             for found, expected in ((values[:, 19:22], force), (values[:, 22:25], torque)):
                 np.testing.assert_allclose(found[~cold], expected[~cold], rtol=0, atol=1e-10 * np.abs(expected).max())
 
+    def test_materials_and_time_steps_that_cannot_be(self):
+        modulus, friction, step = (re.search(f"{word} .*", script(), re.M).group(0) for word in
+                                   ("youngsModulus", "coefficientFriction", "timestep"))
+        for change, pattern in (
+                ((friction, "coefficientFriction peratomtypepair 1 -0.5"),
+                 r"coefficientFriction has the value -0.5, allowed is >= 0; correct the fix \(id m3\)"),
+                ((modulus, "youngsModulus peratomtype -5e7\nsoft_particles yes"), "youngsModulus has the value -5e.07"),
+                ((modulus, "youngsModulus peratomtype 0\nsoft_particles yes"), "youngsModulus has the value 0, allowed is > 0"),
+                *(((step, f"timestep {value}"), f"time step is {value}, allowed is > 0") for value in ("0", "-1e-06"))):
+            self.refused(script(change=change), pattern)
+        cold = "fix k all property/global thermalConductivity peratomtype -1\n"
+        self.refused(script(cold), "thermalConductivity has the value -1")
+
     def test_changes_of_particles(self):
         by_place = "variable speed atom 200*x\nrun 0\n"
         for commands in (LEFT + "run 0\ndelete_atoms region left\n",
