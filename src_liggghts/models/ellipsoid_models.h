@@ -51,17 +51,29 @@ template <typename Models> std::string unsuitable_model(Models& models) {
   return {};
 }
 
-/// What is wrong with one of the settings, or an empty string: the host's models refuse these for
-/// non-spherical particles too, but only at the first contact.
+/// A setting that must not be `on`, because.
+struct UnsuitableSetting {
+  const char *keyword, *reason;
+};
+
+constexpr UnsuitableSetting unsuitable_settings[] = {
+    {"computeElasticPotential", "leaves out the energy of rotation of ellipsoids"},
+    {"computeDissipatedEnergy", "leaves out the energy of rotation of ellipsoids"},
+    {"torsion", "puts the spring of torsion in the place of that of rolling"},
+    {"heating_normal_hertz", "makes heat that no particle is given"},
+    {"heating_normal_hooke", "makes heat that no particle is given"},
+    {"heating_tangential_history", "makes heat that no particle is given"},
+    {"disableNormalWhenBonded", "is for bonds, which ellipsoids do not have"},
+    {"disableTangentialWhenBonded", "is for bonds, which ellipsoids do not have"},
+};
+
+/// What is wrong with one of the settings, or an empty string.
 inline std::string unsuitable_setting(int count, char** arguments) {
-  for (int k = 0; k + 1 < count; ++k) {
-    const std::string keyword = arguments[k];
-    if ((keyword == "computeElasticPotential" || keyword == "computeDissipatedEnergy") &&
-        std::string(arguments[k + 1]) == "on")
-      return "keyword '" + keyword +
-             "' has the value 'on', which leaves out the energy of rotation " +
-             "of ellipsoids; allowed is 'off'";
-  }
+  for (int k = 0; k + 1 < count; ++k)
+    for (const UnsuitableSetting& setting : unsuitable_settings)
+      if (std::string(arguments[k]) == setting.keyword && std::string(arguments[k + 1]) == "on")
+        return std::string("keyword '") + setting.keyword + "' has the value 'on', which " +
+               setting.reason + "; allowed is 'off'";
   return {};
 }
 

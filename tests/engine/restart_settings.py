@@ -155,8 +155,8 @@ class Settings(unittest.TestCase):
                            + [("smooth.floor.4", 4, [END], {"surface": "smooth"})], at_a_time=1)
 
     def test_a_script_of_several_runs(self):
-        self.interrupt_all([(f"{surface}.runs", 1, [2500, EVERY, 7000, END], {"surface": surface})
-                            for surface in ("smooth", "multisphere")])
+        self.interrupt_all([(f"{surface}.{name}.runs", 1, [2500, EVERY, 7000, END], {"surface": surface, **settings()[name]})
+                            for surface, name in (("smooth", "floor"), ("multisphere", "floor"), ("smooth", "turning"))])
 
     def test_a_file_that_a_signal_asked_for(self):
         """SIGUSR1: the file is written at whatever step the run has reached, and the run goes on."""
