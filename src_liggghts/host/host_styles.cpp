@@ -18,9 +18,12 @@ constexpr UnsuitedStyles unsuited_styles[] = {
     // --- motion
     {"fix",
      "nve nve/asphere nve/asphere/noforce nve/limit nve/line nve/noforce nve/sph "
-     "nve/sph/stationary nve/sphere nve/superquadric",
+     "nve/sph/stationary nve/sphere nve/superquadric nve/nonspherical nve/convexhull "
+     "nve/cfd_cn/sphere nve/sphere/limit",
      "does not move ellipsoids by their own equations; use 'fix ID GROUP nve/ellipsoid'"},
-    {"fix", "rigid multisphere multisphere/nointegration concave multisphere/break",
+    {"fix",
+     "rigid multisphere multisphere/nointegration concave multisphere/break multisphere/advanced "
+     "concave/advanced",
      "makes bodies of spheres and turns no ellipsoid; use 'fix nve/ellipsoid', with 'subspheres' "
      "in 'fix particletemplate/ellipsoid' for multi-spheres"},
     {"fix", "enforce2d", "is for 2d simulations; use 'fix ID GROUP nve/ellipsoid planar yes'"},
@@ -28,7 +31,9 @@ constexpr UnsuitedStyles unsuited_styles[] = {
     {"fix", "adapt",
      "changes the bounding sphere and not the semi-axes; use 'set ... shape a b c' between two "
      "runs"},
+    {"fix", "set/vel", "is not shown to be right for ellipsoids; use 'fix move'"},
     // --- forces
+    {"fix", "dragforce", "takes bounding spheres for the bodies; use 'fix couple/cfd/force'"},
     {"fix", "efield", "acts on charges, which ellipsoids do not have; use 'fix addforce'"},
     {"fix", "external",
      "takes its forces from a program that calls the host, which nobody checks; use 'fix "
@@ -57,7 +62,10 @@ constexpr UnsuitedStyles unsuited_styles[] = {
     {"fix", "move/mesh/file", "is another name; use 'fix ID GROUP move/mesh'"},
     {"fix", "mesh/surface/liquidtransfer",
      "needs liquid on bounding spheres; use 'fix ID GROUP mesh/surface'"},
+    {"fix", "mesh/surface/6dof",
+     "moves a mesh by the forces on it, which is not shown to be right; use 'fix move/mesh'"},
     // --- where particles come from
+    {"fix", "insert/fragments", "puts fragments of spheres; use 'fix insert/pack'"},
     {"fix", "particletemplate/sphere particletemplate/superquadric",
      "makes no ellipsoids; use 'fix ID GROUP particletemplate/ellipsoid SEED semiaxes a b c "
      "density D', with a = b = c for spheres"},
@@ -96,6 +104,15 @@ constexpr UnsuitedStyles unsuited_styles[] = {
      "does not know the contacts of ellipsoids; use 'compute ID GROUP pair/ellipsoid/local'"},
     {"compute", "wall/gran/local",
      "does not know the contacts of ellipsoids; use 'compute ID GROUP wall/ellipsoid/local'"},
+    {"compute", "bond/counter pair/gran/local/bond wall/gran/local/bond",
+     "looks for bonds, which ellipsoids do not have; remove it"},
+    {"compute", "angmom",
+     "is not shown to be right for ellipsoids; use 'compute property/atom' with 'angmomx angmomy "
+     "angmomz'"},
+    {"compute", "SauterDiameter",
+     "needs the area of superquadrics; use 'compute property/atom' with 'shapex shapey shapez'"},
+    {"compute", "crosssection surface velocity/mesh",
+     "is not shown to be right for ellipsoids; remove it"},
     {"compute", "pe pe/atom", "is always 0, since contacts tell the host no energy; remove it"},
     {"compute", "reduce/sph", "is for SPH particles; use 'compute reduce'"},
     {"fix", "continuum/weighted",
@@ -118,6 +135,14 @@ constexpr UnsuitedStyles unsuited_styles[] = {
      "knows no ellipsoids; use 'pair_style gran/ellipsoid' with 'surface smooth' or 'surface "
      "multisphere' after the other models, and no 'hybrid'"},
     // --- commands
+    {"fix", "balance",
+     "is not shown to be right for ellipsoids; use 'fix ID GROUP balance/ellipsoid'"},
+    {"command", "balance", "is not shown to be right for ellipsoids; use 'balance/ellipsoid'"},
+    {"command", "coarsegraining", "scales spheres; give the semi-axes that are wanted"},
+    {"command", "create_particles",
+     "is not shown to be right for ellipsoids; use 'create_atoms' or 'fix insert/pack'"},
+    {"command", "rerun", "knows neither semi-axes nor moments; use 'ellipsoid-post'"},
+    {"command", "set/multisphere", "changes the bodies of 'fix multisphere'; use 'set'"},
     {"run_style", "respa", "splits the forces of contacts; use 'run_style verlet'"},
     {"command", "read_dump",
      "knows neither semi-axes nor moments; use 'read_data' or 'read_restart'"},

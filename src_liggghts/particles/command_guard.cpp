@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
+#include <sstream>
 
 using namespace LAMMPS_NS;
 using ellipsoid::Quaternion;
@@ -119,6 +120,16 @@ void check_region_of_insertion(LAMMPS* lmp, const Words& words) {
            "each run");
 }
 
+/// Meshes name their modules one after another, with a stroke between two: each is looked at.
+void check_mesh_modules(LAMMPS* lmp, const Words& words) {
+  const std::string mesh = "mesh/surface/";
+  if (words[2].rfind(mesh, 0) != 0)
+    return;
+  std::istringstream modules(words[2].substr(mesh.size()));
+  for (std::string module; std::getline(modules, module, '/');)
+    refuse_style(lmp, "fix", mesh + module, words[0]);
+}
+
 void check_fix(LAMMPS* lmp, const Words& words) {
   if (words.size() < 3)
     return;
@@ -129,6 +140,7 @@ void check_fix(LAMMPS* lmp, const Words& words) {
       lmp->error->all(FLERR, ("fix move/mesh (id " + words[0] + "): " + complaint).c_str());
   refuse_style(lmp, "fix", words[2], words[0],
                words[2] == "wall/gran" ? converted("fix", words, 2) : "");
+  check_mesh_modules(lmp, words);
   if (lmp->modify->find_fix(words[0].c_str()) < 0)
     return;
   for (const char* style : replaceable_fixes)

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "engine"))
-from _engine import LAW, Particle, Setup, dump, ellipsoids_data, read_dump, run  # noqa: E402
+from _engine import LAW, Particle, Setup, dump, ellipsoids_data, read_dump, rigid_bodies, run  # noqa: E402
 from _multisphere import multisphere_setup, wall  # noqa: E402
 from clump_host import Cloud, quaternion, words  # noqa: E402
 
@@ -51,8 +51,7 @@ fix grain all particletemplate/multisphere 10037 atom_type 1 density constant 13
     mass {MASS} inertia_tensor {i_x} 0 0 {i_y} 0 {i_z} use_density
 fix mixture all particledistribution/discrete 10039 1 grain 1.0
 region cloud block 0 {SIDE} 0 {SIDE} 0 {HEIGHT} units box
-fix bodies all multisphere
-fix insert all insert/pack seed 15485863 distributiontemplate mixture maxattempt 500 insert_every once &
+{rigid_bodies()}fix insert all insert/pack seed 15485863 distributiontemplate mixture maxattempt 500 insert_every once &
     overlapcheck yes all_in no vel constant 0 0 -0.8 orientation random region cloud ntry_mc 1000 &
     particles_in_region {BODIES}
 run {FALL}

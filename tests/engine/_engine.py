@@ -3,6 +3,7 @@
 SI units throughout. A particle is a `Particle`; quaternions are scalar first, body to space.
 """
 
+import functools
 import math
 import os
 import subprocess
@@ -17,6 +18,23 @@ COLUMNS = ("id type mass x y z vx vy vz omegax omegay omegaz fx fy fz tqx tqy tq
 SPHERE_COLUMNS = COLUMNS[:18]
 SLOWNESS = int(os.environ.get("ELLIPSOID_SLOWNESS", "1"))  # of this build; 1: optimised
 LAW = "model hertz/viscous tangential history/viscous"
+
+
+@functools.cache
+def host_is_inl():
+    """Is the engine built with LIGGGHTS-INL?"""
+    told = subprocess.run([LIGGGHTS, "--version"], capture_output=True, text=True, check=True).stdout
+    return "LIGGGHTS-INL" in told
+
+
+def rigid_bodies():
+    """Script lines of the host's rigid bodies of spheres, moved by Richardson's scheme.
+
+    LIGGGHTS-INL's fix multisphere moves nothing by itself; its fix nve/nonspherical has this scheme as
+    number 0.
+    """
+    motion = "fix turn all nve/nonspherical integration_scheme 0\n" if host_is_inl() else ""
+    return "fix bodies all multisphere\n" + motion
 
 
 @dataclass

@@ -12,7 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
-from _engine import LAW, Particle, Setup, dump, ellipsoids_data, read_dump, rotation, run, vectors
+from _engine import (LAW, Particle, Setup, dump, ellipsoids_data, read_dump, rigid_bodies, rotation, run,
+                     vectors)
 from _multisphere import multisphere_setup, wall
 
 HOOK = np.array([[0.0, 0.0, 0.0, 1.0], [1.2, 0.0, 0.0, 0.8], [2.0, 0.5, 0.0, 0.6],
@@ -75,8 +76,7 @@ fix grain all particletemplate/multisphere 10037 atom_type 1 density constant 13
     mass {MASS} inertia_tensor {i_x} 0 0 {i_y} 0 {i_z} use_density
 fix mixture all particledistribution/discrete 10039 1 grain 1.0
 region cloud block {self.region} units box
-fix bodies all multisphere
-"""
+{rigid_bodies()}"""
         random = np.random.default_rng(61)
         for k in range(self.count):
             velocity, spin = self.speed * random.normal(size=3), 60.0 * self.speed * random.normal(size=3)

@@ -3,12 +3,11 @@ bodies side by side, crossed and tip to tip, chains of spheres by brute force ov
 both kinds, and spheres against the host's own."""
 
 import math
-import subprocess
 import unittest
 
 import numpy as np
 
-from _engine import LAW, LIGGGHTS, Material, Particle, Setup, quaternion_of, rotation, run
+from _engine import LAW, Material, Particle, Setup, host_is_inl, quaternion_of, rotation, run
 from _multisphere import pair_contacts, wall_contacts
 from _spinning import turned
 
@@ -16,7 +15,6 @@ K = (5.0, 12.0)  # conductivities of the two types, W/(m K)
 TEMPERATURES = (400.0, 300.0, 310.0)
 A, B, C = 2.7e-3, 1.9e-3, 1.1e-3
 OVERLAP = 1e-6
-OF_INL = "LIGGGHTS-INL" in subprocess.run([LIGGGHTS, "--version"], capture_output=True, text=True, check=True).stdout
 
 
 def conductance(area, k1=K[0], k2=K[1]):
@@ -117,7 +115,7 @@ class Pairs(unittest.TestCase):
         """`area_shape circle`: by the radius of a circle of this area; other hosts have no such keyword."""
         bodies = self.SCENES["crossed"][0]
         options = "contact_area overlap area_shape circle"
-        if not OF_INL:
+        if not host_is_inl():
             outcome = run(script(bodies, options=options), check=False)
             self.assertEqual(outcome.code, 1)
             self.assertRegex(outcome.text, "ERROR[^\n]*unknown keyword")
@@ -133,7 +131,7 @@ class Pairs(unittest.TestCase):
                                 f"smooth primitive type 1 zplane -0.04 temperature 300 contact_area {area}")):
                 outcome = run(text, check=False)
                 self.assertEqual(outcome.code, 1)
-                self.assertRegex(outcome.text, "ERROR[^\n]*'overlap'" if not OF_INL else
+                self.assertRegex(outcome.text, "ERROR[^\n]*'overlap'" if not host_is_inl() else
                                  "ERROR[^\n]*'contact_area superquadric' and 'convex'[^\n]*use 'contact_area overlap'")
 
     def test_chain_of_spheres_sums_over_its_contacts(self):
@@ -186,7 +184,7 @@ class Walls(unittest.TestCase):
         mesh = (f"fix cad all mesh/surface file floor.stl type 2 temperature {self.HOT}\nfix w all "
                 f"wall/gran/ellipsoid {LAW} surface smooth mesh n_meshes 1 meshes cad")
         self.check(mesh, "smooth", body, [area])
-        if OF_INL:
+        if host_is_inl():
             for wall in (f"{plane} area_shape circle", f"{mesh} area_shape circle"):
                 self.check(wall, "smooth", body, [area / math.pi])
         chain = Particle((0, 0, B - OVERLAP), (A, B, B), type=1)

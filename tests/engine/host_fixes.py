@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from _engine import rotation, thermo
+from _engine import dump, read_dump, rotation, thermo
 from _spinning import after, bodies, momenta, vectors
 
 G = 9.81 * np.array([1.0, 2.0, 2.0]) / 3.0
@@ -137,8 +137,10 @@ class Averages(unittest.TestCase):
         return np.loadtxt(file, comments="#", ndmin=2)
 
     def test_of_particles(self):
-        names = ["f_a[1]", "f_a[2]", "f_b[1]", "f_b[2]"]
-        c = after("fix a all ave/atom 10 5 50 x vz\nfix b all store/state 0 x vy", "averaged", 50, more=names)
+        names = ["id", "f_a[1]", "f_a[2]", "f_b[1]", "f_b[2]"]
+        after("fix a all ave/atom 10 5 50 x vz\nfix b all store/state 0 x vy\n"
+              + dump("every_50.dump", 50, names), "averaged", 50)
+        c = {name: frames[-1] for name, frames in read_dump("every_50.dump")[1].items()}
         np.testing.assert_allclose(c["f_a[1]"], self.track()[:, :, 0].mean(0), rtol=1e-9)
         np.testing.assert_allclose(c["f_a[2]"], velocities()[:, 2], rtol=1e-9)
         np.testing.assert_allclose(c["f_b[1]"], places()[:, 0], rtol=1e-12)

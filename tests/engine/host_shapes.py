@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from _engine import read_dump, run, vectors
+from _engine import read_dump, rigid_bodies, run, vectors
 from _mesh import floor, write_stl
 
 A, B = 4e-3, 2e-3
@@ -47,6 +47,7 @@ SHAPES = [
 
 
 def head(shape, begin, walls):
+    motion = rigid_bodies() if shape.motion == "multisphere" else f"fix motion all {shape.motion}\n"
     return f"""
 atom_style {shape.style}
 atom_modify map array
@@ -67,8 +68,7 @@ fix gravity all gravity 9.81 vector 0 0 -1
 {walls}
 fix grain all {shape.template}
 fix mix all particledistribution/discrete 32452843 1 grain 1.0
-fix motion all {shape.motion}
-"""
+{motion}"""
 
 
 def box(half):

@@ -18,7 +18,7 @@ from pathlib import Path
 
 import numpy as np
 
-from _engine import (LAW, Particle, Setup, dump, quaternion_of, read_dump, rotation, run,
+from _engine import (LAW, Particle, Setup, dump, quaternion_of, read_dump, rigid_bodies, rotation, run,
                      vectors)
 from _multisphere import chain, multisphere_setup, subspheres, wall
 
@@ -81,8 +81,7 @@ fix grain all particletemplate/multisphere 10037 atom_type 1 density constant 13
     mass {MASS} inertia_tensor {i_x} 0 0 {i_y} 0 {i_z} use_density {flags}
 fix mixture all particledistribution/discrete 10039 1 grain 1.0
 region cloud block 0.0031 0.046 0.0031 0.030 {-depth!r} {depth!r} units box
-fix bodies all multisphere
-"""
+{rigid_bodies()}"""
         for k, (q, velocity, spin) in enumerate(self.groups()):
             script += (f"fix insert{k} all insert/pack seed {SEEDS[k]} distributiontemplate mixture "
                        f"maxattempt 2000 insert_every once overlapcheck {check} all_in no "
