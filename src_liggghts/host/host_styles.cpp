@@ -137,6 +137,8 @@ constexpr UnsuitedStyles unsuited_styles[] = {
     // --- commands
     {"fix", "balance",
      "is not shown to be right for ellipsoids; use 'fix ID GROUP balance/ellipsoid'"},
+    {"command", "comm_style",
+     "is not shown to be right for ellipsoids; use 'balance/ellipsoid' for even loads"},
     {"command", "balance", "is not shown to be right for ellipsoids; use 'balance/ellipsoid'"},
     {"command", "coarsegraining", "scales spheres; give the semi-axes that are wanted"},
     {"command", "create_particles",

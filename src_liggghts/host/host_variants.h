@@ -7,6 +7,7 @@
 
 #if __has_include("iloopcallbackcaller.h")
 #define ELLIPSOID_HOST_INL
+#include "comm_brick.h"
 #endif
 
 /// The parameters of Fix::restart().
@@ -25,6 +26,24 @@ template <class Particle> void set_distance_from_borders(Particle& particle) {
   particle.radius_ins_max = particle.r_bound_ins;
 #else
   static_cast<void>(particle);
+#endif
+}
+
+/// Does a variable of the script change the shape of this region from one time step to another?
+template <class Region> bool has_variable_shape(const Region& region) {
+#ifdef ELLIPSOID_HOST_INL
+  return region.has_varshape();
+#else
+  return region.varshape != 0;
+#endif
+}
+
+/// Are the sub-domains the bricks of a grid? (LIGGGHTS-INL's `comm_style tiled` exchanges nothing.)
+template <class Comm> bool has_brick_domains(Comm* comm) {
+#ifdef ELLIPSOID_HOST_INL
+  return dynamic_cast<LAMMPS_NS::CommBrick*>(comm) != nullptr;
+#else
+  return comm != nullptr;
 #endif
 }
 

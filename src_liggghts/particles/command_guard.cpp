@@ -10,6 +10,7 @@
 #include "force.h"
 #include "group.h"
 #include "host_styles.h"
+#include "host_variants.h"
 #include "lammps.h"
 #include "material_check.h"
 #include "mesh_motion_check.h"
@@ -114,7 +115,7 @@ void check_region_of_insertion(LAMMPS* lmp, const Words& words) {
   if (words[2].rfind("insert/", 0) != 0 || words.end() - keyword < 2)
     return;
   const int region = lmp->domain->find_region(const_cast<char*>((keyword + 1)->c_str()));
-  if (region >= 0 && lmp->domain->regions[region]->varshape)
+  if (region >= 0 && has_variable_shape(*lmp->domain->regions[region]))
     refuse(lmp, "fix " + words[2] + " (id " + words[0] + ") in region '" + *(keyword + 1) + "'",
            "fills a region of one shape, and this one's radius is a variable; use one region for "
            "each run");
@@ -190,6 +191,8 @@ void check_command(LAMMPS* lmp, const std::string& command, const Words& words) 
 void check_present_styles(LAMMPS* lmp) {
   if (lmp->force->pair_style)
     refuse_style(lmp, "pair_style", lmp->force->pair_style);
+  if (!has_brick_domains(lmp->comm))
+    refuse_style(lmp, "command", "comm_style");
 }
 
 /// The host's superquadrics have other shapes, and nobody checks them. Contact laws are those of

@@ -8,7 +8,7 @@ import unittest
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from _engine import LIGGGHTS, Particle, Setup, run
+from _engine import LIGGGHTS, Particle, Setup, host_is_inl, run
 
 PAGE = Path(os.environ["ELLIPSOID_SOURCE"]) / "src_liggghts" / "doc" / "what_works_with_what.md"
 HOST = LIGGGHTS.parents[1] / "liggghts" / "patched" / "src"
@@ -123,6 +123,14 @@ class HostStyles(unittest.TestCase):
         outcome = run(text.replace("pair_coeff      * *", "") + "run 1\n", check=False)
         self.assertEqual(outcome.code, 1, outcome.text[-400:])
         self.assertRegex(outcome.text, "ERROR: pair_style gran does not work with atom_style granular/ellipsoid")
+
+    def test_sub_domains_that_are_no_bricks(self):
+        """LIGGGHTS-INL has them; asked for before the atom style, they are refused where the run begins."""
+        text = Setup().with_particles([Particle((0, 0, 0), (3e-3, 2e-3, 1e-3))], "tiled.data")
+        outcome = run("comm_style tiled\n" + text + "run 1\n", check=False)
+        self.assertEqual(outcome.code, 1, outcome.text[-400:])
+        self.assertRegex(outcome.text, "ERROR: command comm_style does not work with atom_style granular/ellipsoid"
+                         if host_is_inl() else "ERROR: Unknown command: comm_style")
 
     def test_the_atom_style_of_the_host(self):
         """Superquadrics of blockiness 8 are no ellipsoids."""

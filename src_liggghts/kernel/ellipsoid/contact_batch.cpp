@@ -147,7 +147,8 @@ template <class Space, class Normals> struct PairSearch {
     result(C::reduced_radius, r_i * r_j / std::sqrt(det_sum));
     result(C::radius_i, r_i);
     result(C::radius_j, r_j);
-    c.out[C::steps][at.k] = is_first ? 1.0 : c.out[C::steps][at.k] + (unsolved ? 1.0 : 0.0);
+    c.out[C::step_count][at.k] =
+        is_first ? 1.0 : c.out[C::step_count][at.k] + (unsolved ? 1.0 : 0.0);
     c.out[C::unsolved][at.k] = (unsolved & !is_solved()) ? 1.0 : 0.0;
   }
 
@@ -254,7 +255,7 @@ void ContactBatch::solve_unsolved() {
     put(C::reduced_radius, c.reduced_radius);
     put(C::radius_i, c.curvature_radius_i);
     put(C::radius_j, c.curvature_radius_j);
-    put(C::steps, c.iterations);
+    put(C::step_count, c.iterations);
     put(C::unsolved, ellipsoid::has_converged(c.status) ? 0.0 : 1.0);
   }
 }

@@ -43,7 +43,7 @@ class ContactBatch : public Batch {
   /// The same after solve_unsolved(), number by number.
   bool is_apart(int k) const { return columns_.out[Columns::overlap][k] < 0.0; }
   bool has_converged(int k) const { return columns_.out[Columns::unsolved][k] == 0.0; }
-  double steps(int k) const { return columns_.out[Columns::steps][k]; }
+  double steps(int k) const { return columns_.out[Columns::step_count][k]; }
   double curvature_radius_i(int k) const { return columns_.out[Columns::radius_i][k]; }
   double curvature_radius_j(int k) const { return columns_.out[Columns::radius_j][k]; }
 
@@ -84,8 +84,8 @@ class ContactBatch : public Batch {
       reduced_radius,
       radius_i,
       radius_j,
-      steps,    ///< evaluations of the overlap function
-      unsolved, ///< 0: solved; 1: to be searched alone, or not converged
+      step_count, ///< evaluations of the overlap function
+      unsolved,   ///< 0: solved; 1: to be searched alone, or not converged
       result_count
     };
     alignas(64) double in[input_count][column_length];
@@ -133,7 +133,7 @@ inline ContactGeometry ContactBatch::geometry(int k) const {
   c.reduced_radius = out(C::reduced_radius);
   c.curvature_radius_i = out(C::radius_i);
   c.curvature_radius_j = out(C::radius_j);
-  c.iterations = static_cast<int>(out(C::steps));
+  c.iterations = static_cast<int>(out(C::step_count));
   return c;
 }
 

@@ -19,7 +19,7 @@ inline void find_all_loop(Columns& c, int size) {
     const Vector3 distance = at.vector(c.in, Columns::dx);
     const Vector3 n = normalized(adjugate(a_i + a_j) * distance);
     at.put(c.out, Columns::nx, n);
-    c.out[Columns::gap][k] =
+    c.out[Columns::distance][k] =
         dot(n, distance) - (std::sqrt(dot(n, a_i * n)) + std::sqrt(dot(n, a_j * n)));
   });
 }

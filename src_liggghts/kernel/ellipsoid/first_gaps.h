@@ -25,14 +25,14 @@ class FirstGaps : public Batch {
   /// A length by which the bodies of pair k are apart at least, with normal(k) as the proof; not
   /// positive where that proves nothing, NaN for bodies with numbers that are none and for centres
   /// at the same index.
-  double gap(int k) const { return columns_.out[Columns::gap][k]; }
+  double gap(int k) const { return columns_.out[Columns::distance][k]; }
   /// Unit, from i to j.
   Vector3 normal(int k) const { return InSpace{k}.vector(columns_.out, Columns::nx); }
 
   /// Columns of numbers, one per pair.
   struct Columns {
     enum Input { axx_i, axx_j = axx_i + 6, dx = axx_j + 6, input_count = dx + 3 };
-    enum Result { nx, gap = nx + 3, result_count };
+    enum Result { nx, distance = nx + 3, result_count };
     alignas(64) double in[input_count][column_length];
     alignas(64) double out[result_count][column_length];
   };
