@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -70,7 +71,7 @@ std::vector<Triangle> text_triangles(const std::string& bytes, const std::string
 
 std::vector<Triangle> read_stl(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file)
+  if (!file || std::filesystem::is_directory(path))
     throw InputError(path + ": cannot be opened; give an STL file that is there");
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   const bool is_binary =

@@ -258,8 +258,11 @@ def check_bad_lists():
     assert "allowed are 1 to 9999" in error_of("0 0 0 1\n" * 100000)
     error = error_of("0 0 0 1\n0 0 2.5 1.6\n", "--semiaxes", 2, 2, 2.2)
     assert "sphere 2" in error and "outside the body, by 0.3" in error, error
-    for name, text in (("missing.txt", "cannot be opened"),):
-        assert text in post("template", "--clump", name, expect=1)[1]
+    assert "spheres 1 and 3 are equal" in error_of("0 0 0 1\n1 0 0 1\n0 0 0 1.0\n")
+    for option in ("--clump", "--from"):
+        for name in ("missing.txt", "."):
+            error = post("template", option, name, expect=1)[1]
+            assert f"{name}: cannot be opened; give " in error and error.count("\n") == 1, error
     with open("binary.txt", "wb") as file:
         file.write(bytes(range(256)))
     assert "no text" in post("template", "--clump", "binary.txt", expect=1)[1]

@@ -40,7 +40,7 @@ struct Target {
 
 std::string text_of_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file)
+  if (!file || std::filesystem::is_directory(path))
     throw InputError(path + ": cannot be opened; give a list of spheres that is there");
   std::string text{std::istreambuf_iterator<char>(file), {}};
   if (file.bad() || text.find('\0') != std::string::npos)
