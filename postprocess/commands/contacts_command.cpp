@@ -42,27 +42,29 @@ void append_fabric(Row& row, const std::vector<Vector3>& normals, int bins) {
   append_rose(row, angle_rose(normals, bins));
 }
 
+/// @param[in] row run and time step
+Row contact_row(Row row, std::int64_t id_1, std::int64_t id_2, const Contact& contact) {
+  row.push_back({"id_1", "id 1", "", id_1});
+  row.push_back({"id_2", "id 2", "", id_2});
+  const auto append = [&row](const std::string& key, const std::string& unit, const Vector3& v) {
+    const std::string ending = unit.empty() ? "" : "_" + unit;
+    row.push_back({key + "_x" + ending, key + ": x", unit, v.x});
+    row.push_back({key + "_y" + ending, key + ": y", unit, v.y});
+    row.push_back({key + "_z" + ending, key + ": z", unit, v.z});
+  };
+  append("point", "m", contact.point);
+  append("normal", "", contact.normal);
+  row.push_back({"overlap_m", "overlap", "m", contact.overlap});
+  return row;
+}
+
 /// One row per contact.
 std::vector<Row> list_rows(const ChosenFrame& chosen, const ContactNetwork& network) {
   std::vector<Row> rows;
   for (const PairContact& pair : network.pairs)
-    for (std::size_t k = pair.first; k < pair.first + pair.count; ++k) {
-      const Contact& contact = network.contacts[k];
-      Row row = frame_row(chosen);
-      row.push_back({"id_1", "id 1", "", chosen.set.particles[pair.i].id});
-      row.push_back({"id_2", "id 2", "", chosen.set.particles[pair.j].id});
-      const auto append = [&row](const std::string& key, const std::string& unit,
-                                 const Vector3& v) {
-        const std::string ending = unit.empty() ? "" : "_" + unit;
-        row.push_back({key + "_x" + ending, key + ": x", unit, v.x});
-        row.push_back({key + "_y" + ending, key + ": y", unit, v.y});
-        row.push_back({key + "_z" + ending, key + ": z", unit, v.z});
-      };
-      append("point", "m", contact.point);
-      append("normal", "", contact.normal);
-      row.push_back({"overlap_m", "overlap", "m", contact.overlap});
-      rows.push_back(std::move(row));
-    }
+    for (std::size_t k = pair.first; k < pair.first + pair.count; ++k)
+      rows.push_back(contact_row(frame_row(chosen), chosen.set.particles[pair.i].id,
+                                 chosen.set.particles[pair.j].id, network.contacts[k]));
   return rows;
 }
 
@@ -87,10 +89,10 @@ int run_geometry(const ContactsOptions& options) {
   FrameOptions frames = options.frames;
   if (!options.list.empty())
     frames.threads = 1; // the list grows in the order of the frames
-  Table list{"All contacts", {}};
+  Table list{"All contacts", {}, contact_row(frame_columns(), 0, 0, {})};
   const int code = run_table_command(
       frames, "Contacts", [&](const ChosenFrame& f) { return geometry_row(options, f, list); });
-  if (!options.list.empty())
+  if (!options.list.empty() && (code == exit_good || !list.rows.empty()))
     write_text(options.list, as_csv(list));
   return code;
 }

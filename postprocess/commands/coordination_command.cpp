@@ -9,7 +9,7 @@
 #include "pile_measures.h"
 #include "pile_options.h"
 #include "plane_options.h"
-#include "run_log.h"
+#include "run_state.h"
 #include "space_wall_options.h"
 #include "table_command.h"
 
@@ -38,7 +38,7 @@ std::vector<SpaceWall> walls_in_space(const CoordinationCommandOptions& options,
   if (!options.has_run_walls)
     return walls;
   const std::string log =
-      options.log.empty() ? log_beside(chosen.frame.location.file) : options.log;
+      options.log.empty() ? log_file_beside(chosen.frame.location.file) : options.log;
   if (log.empty())
     throw InputError("--run-walls: there is no log (log.*, *.log) beside the dump: give --log");
   for (SpaceWall& wall : walls_of_log(log))

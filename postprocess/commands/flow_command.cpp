@@ -128,6 +128,7 @@ class FlowRun {
   void advance(const ChosenFrame& chosen, Table& steps, Table& passages) {
     if (!clock_.advances(chosen))
       return;
+    ++frames_;
     const std::optional<double> density =
         options_.density > 0.0 ? std::optional<double>(options_.density) : std::nullopt;
     const PeriodicCell cell(chosen.set.box);
@@ -145,6 +146,7 @@ class FlowRun {
       first_time_ = time_;
       return;
     }
+    ++steps_;
     add(*step);
     const bool has_times = before && time_ && *time_ > *before;
     const std::vector<double> residence =
@@ -163,8 +165,16 @@ class FlowRun {
     steps.rows.push_back(std::move(row));
   }
 
+  static Row passage_columns() { return passage_row("", {}, 0.0, 1.0, {}); }
+
   /// After the last frame: the rows of the whole run.
+  /// Throws InputError if it has no two frames.
   void append_totals(Table& table) const {
+    if (frames_ == 1)
+      throw InputError(name_ + ": expected at least two frames, found one: flow is what happens "
+                               "between them");
+    if (steps_ == 0)
+      return; // what is wrong with the frames has been said
     if (profile_)
       append_profile(table);
     else if (options_.is_total)
@@ -177,7 +187,7 @@ class FlowRun {
 
   void append_profile(Table& table) const {
     if (!has_duration())
-      return;
+      throw InputError(name_ + ": the last frame is not later than the first one");
     for (const FlowBin& bin : profile_->bins()) {
       Row row{{"run", "run", "", name_}};
       append_bin(row, bin, *time_ - *first_time_);
@@ -225,15 +235,16 @@ class FlowRun {
       if (residence)
         times.push_back(*residence);
       if (!options_.passages.empty())
-        passages.rows.push_back(passage_row(passage, time, duration, residence));
+        passages.rows.push_back(passage_row(name_, passage, time, duration, residence));
     }
     return times;
   }
 
-  Row passage_row(const Passage& passage, double time, double duration,
-                  const std::optional<double>& residence) const {
+  /// @param[in] run its name
+  static Row passage_row(const std::string& run, const Passage& passage, double time,
+                         double duration, const std::optional<double>& residence) {
     const Vector3 velocity = (1.0 / duration) * passage.way;
-    return {{"run", "run", "", name_},
+    return {{"run", "run", "", run},
             {"id", "id", "", passage.id},
             {"time_s", "time", "s", time},
             {"direction", "direction", "", std::int64_t(passage.is_forward ? 1 : -1)},
@@ -269,18 +280,25 @@ class FlowRun {
   ResidenceTimes residence_;
   std::optional<double> time_, first_time_; ///< of the last and first frame (s)
   std::int64_t timestep_ = 0;
+  std::size_t frames_ = 0, steps_ = 0; ///< read, and measured between two of them
   FlowStep sum_;
   std::vector<double> rates_; ///< between frames (mass/s)
 };
 
 int run(const FlowOptions& options) {
-  Table table{"Flow", {}}, passages{"Passages", {}};
+  Table table{"Flow", {}}, passages{"Passages", {}, FlowRun::passage_columns()};
   std::unique_ptr<FlowRun> flow;
+  int code = exit_good;
   const auto end_run = [&] {
-    if (flow)
-      flow->append_totals(table);
+    try {
+      if (flow)
+        flow->append_totals(table);
+    } catch (const InputError& error) {
+      report_error(error.what());
+      code = exit_bad_data;
+    }
   };
-  const int code = for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
+  const int read = for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
     if (!flow || flow->name() != chosen.run) {
       end_run();
       flow = std::make_unique<FlowRun>(options, chosen.run);
@@ -288,6 +306,7 @@ int run(const FlowOptions& options) {
     flow->advance(chosen, table, passages);
   });
   end_run();
+  code = std::max(code, read);
   write_table(options.frames, table);
   if (!options.passages.empty() && (code == exit_good || !passages.rows.empty()))
     write_text(options.passages, as_csv(passages));

@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "csv_table.h"
 #include "input_error.h"
+#include "messages.h"
 #include "option_checks.h"
 #include "paper_figures.h"
 #include "picture_options.h"
@@ -56,6 +57,8 @@ void plot(const PlotOptions& options) {
     return;
   }
   const Table runs = read_csv_files(options.files, figure_columns);
+  if (const std::string words = left_out_of_figures(runs); !words.empty())
+    report_warning(words);
   const auto charts = figure(std::stoi(options.what), runs, options.aspect_ratio);
   constexpr int panel_width = 900; // pixels
   const int width =

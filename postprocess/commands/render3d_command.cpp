@@ -80,6 +80,8 @@ void render_space(const RenderSpaceOptions& options, PictureNames& names, const 
   const UpAxis up = up_direction(options.up, chosen).axis;
   const ParticleSet set = turned_upright(chosen.set, up);
   SpaceView view = view_of(options, up);
+  if (view.part)
+    warn_of_empty_view(chosen.run, set, *view.part, 3);
   if (range.space)
     view.part = range.space;
   if (up == UpAxis::y)
@@ -110,9 +112,10 @@ int render_spaces(const RenderSpaceOptions& options) {
   }
   PictureNames names(options.output);
   const FilmRange range = shared_range(options);
-  return for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
+  const int code = for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
     render_space(options, names, range, chosen);
   });
+  return checked_code(code, names);
 }
 
 namespace {

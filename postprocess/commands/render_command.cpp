@@ -48,6 +48,10 @@ void render(const RenderOptions& options, PileFilm& film, const ChosenFrame& cho
   picture.view = film.range.plane;
   if (options.view.size() == 4)
     picture.view = PileView{options.view[0], options.view[1], options.view[2], options.view[3]};
+  if (options.view.size() == 4)
+    warn_of_empty_view(
+        chosen.run, chosen.set,
+        {{options.view[0], options.view[2]}, {options.view[1], options.view[3]}, "", {}}, 2);
   picture.colour_low = film.range.low;
   picture.colour_high = film.range.high;
   if (options.colour_range.size() == 2) {
@@ -71,8 +75,9 @@ int render_piles(const RenderOptions& options) {
   }
   PileFilm film{PictureNames(options.output), ContactLists(options.contacts),
                 shared_range(options)};
-  return for_chosen_frames(options.frames,
-                           [&](const ChosenFrame& chosen) { render(options, film, chosen); });
+  const int code = for_chosen_frames(
+      options.frames, [&](const ChosenFrame& chosen) { render(options, film, chosen); });
+  return checked_code(code, film.names);
 }
 
 void add_render_command(CLI::App& program, int& exit_code) {

@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "frame_loop.h"
 #include "gravity_options.h"
+#include "option_checks.h"
 #include "report_page.h"
 
 #include <fmt/format.h>
@@ -69,6 +70,8 @@ void add_report_command(CLI::App& program, int& exit_code) {
                       "pages that `view` made, to link to (one beside a dump is found by itself)");
   command->callback([command, options, &exit_code] {
     refuse_idle_margin(*command, *options);
+    if (options->frames.runs.empty())
+      refuse_without_effect(*command, {"--csv", "--json"}, "without runs");
     options->frames.quiet = true; // the page is for people
     exit_code = report(*options);
   });

@@ -9,6 +9,7 @@
 #include "time_option.h"
 #include "trajectories.h"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <memory>
 
@@ -47,6 +48,22 @@ struct FollowedRun {
   std::vector<std::int64_t> steps;
   FrameClock clock;
 };
+
+/// Lags of several origins are the same number of frames: they must be the same time.
+void require_even_frames(const FollowedRun& run) {
+  constexpr double rounding = 1e-6; // six digits of a time in the file
+  const auto moment = [&run](std::size_t k) {
+    return run.times[k] && run.times[0] ? *run.times[k] : static_cast<double>(run.steps[k]);
+  };
+  for (std::size_t k = 2; k < run.steps.size(); ++k) {
+    const double first = moment(1) - moment(0), here = moment(k) - moment(k - 1);
+    if (std::abs(here - first) > 1e-3 * first + rounding * std::abs(moment(k)))
+      throw InputError(fmt::format(
+          "{}: with several --origins frames must be evenly spaced in time, found time steps {} "
+          "and {} after {} and {}: take --origins 1, or leave frames out",
+          run.name, run.steps[k - 1], run.steps[k], run.steps[0], run.steps[1]));
+  }
+}
 
 Row lag_row(const FollowedRun& run, std::size_t lag) {
   const LagMeans m = run.trajectories.means(lag);
@@ -128,6 +145,8 @@ int list_collisions(const TrajectoryOptions& options) {
       table.rows.push_back(collision_row(name, c, has_overlaps));
   });
   end_run();
+  if (code == exit_good)
+    table.columns = collision_row("", {}, has_overlaps);
   write_table(options.frames, table);
   return code;
 }
@@ -149,9 +168,12 @@ int run(const TrajectoryOptions& options) {
       write_ways(options, chosen, followed.trajectories);
   });
   Table table{"Trajectories", {}};
-  for (const FollowedRun& followed : runs)
+  for (const FollowedRun& followed : runs) {
+    if (options.origins > 1)
+      require_even_frames(followed);
     for (const auto& entry : followed.trajectories.sums())
       table.rows.push_back(lag_row(followed, entry.first));
+  }
   write_table(options.frames, table);
   return code;
 }

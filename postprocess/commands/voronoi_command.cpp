@@ -1,11 +1,14 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "body_properties.h"
+#include "messages.h"
 #include "particle_values.h"
 #include "rows_command.h"
 #include "set_voronoi.h"
 #include "spread.h"
 #include "time_option.h"
 
+#include <algorithm>
+#include <fmt/format.h>
 #include <memory>
 
 namespace ellipsoid::post {
@@ -60,9 +63,21 @@ void append_spread(Row& row, const std::vector<double>& values, const std::strin
                  is_known ? Value(s.standard_deviation) : Value()});
 }
 
+/// Bodies count whole, whatever of them lies in others.
+void warn_of_overlaps(const ChosenFrame& chosen, const std::vector<SetVoronoiCell>& cells) {
+  const auto count = std::count_if(cells.begin(), cells.end(), [](const SetVoronoiCell& cell) {
+    return cell.packing_fraction > 1.0;
+  });
+  if (count > 0)
+    report_warning(fmt::format("{}: time step {}: {} bodies overlap so far with others that they "
+                               "are larger than their cells: packing fractions above 1",
+                               chosen.run, chosen.frame.timestep, count));
+}
+
 Row voronoi_row(const VoronoiCommandOptions& options, const ChosenFrame& chosen) {
   const PeriodicCell box = cell_of(options, chosen.set.box);
   const std::vector<SetVoronoiCell> cells = set_voronoi(chosen.set, box, options.cells);
+  warn_of_overlaps(chosen, cells);
   if (!options.per_particle.empty())
     write_particle_values(options.per_particle, chosen, particle_values(cells));
   std::vector<double> fractions, neighbours, anisotropies;

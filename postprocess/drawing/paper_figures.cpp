@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <functional>
+#include <iterator>
 #include <map>
+#include <optional>
 
 namespace ellipsoid::post {
 namespace {
@@ -24,6 +26,19 @@ std::string text_of(const Row& row, const std::string& key) {
   return text ? *text : "";
 }
 
+/// Number of sub-spheres of all particles of a run (0: smooth), or nothing for mixtures and clumps.
+std::optional<int> subspheres_of(const Row& row) {
+  const std::string surface = text_of(row, "surface");
+  const Value* count = find_value(row, "subspheres");
+  double number = 0.0;
+  const bool has_count = count && as_number(*count, number);
+  if (surface == "smooth")
+    return 0;
+  if (!has_count || (!surface.empty() && surface != "multisphere"))
+    return {};
+  return static_cast<int>(number);
+}
+
 /// Values of one quantity by number of sub-spheres (0: smooth) over runs with one outline.
 std::map<int, Spread> by_subspheres(const Table& runs, const std::string& key,
                                     const std::string& outline) {
@@ -31,13 +46,11 @@ std::map<int, Spread> by_subspheres(const Table& runs, const std::string& key,
   for (const Row& row : runs.rows) {
     const std::string row_outline = text_of(row, "outline");
     const Value* value = find_value(row, key);
-    const Value* count = find_value(row, "subspheres");
-    double number = 0.0, subspheres = 0.0;
-    const bool has_count = count && as_number(*count, subspheres);
+    const std::optional<int> subspheres = subspheres_of(row);
+    double number = 0.0;
     const bool is_wanted = row_outline.empty() || outline.empty() || row_outline == outline;
-    if (is_wanted && value && as_number(*value, number) &&
-        (has_count || text_of(row, "surface") == "smooth"))
-      values[static_cast<int>(subspheres)].push_back(number);
+    if (is_wanted && subspheres && value && as_number(*value, number))
+      values[*subspheres].push_back(number);
   }
   std::map<int, Spread> result;
   for (const auto& [subspheres, numbers] : values)
@@ -232,13 +245,35 @@ std::vector<Chart> figure_15(const Table& runs, double aspect) {
 
 const std::vector<int> known_figures = {5, 12, 13, 15, 17, 18};
 
-const std::vector<std::string> figure_columns = {"subspheres",
-                                                 "repose_angle_deg",
+const std::vector<std::string> figure_columns = {"repose_angle_deg",
                                                  "porosity",
                                                  "zpp",
                                                  "zss",
                                                  "relative_cpu_time",
                                                  "potential_contacts_per_particle"};
+
+Table drawn_in_figures(const Table& runs) {
+  Table drawn{runs.title, {}};
+  std::copy_if(runs.rows.begin(), runs.rows.end(), std::back_inserter(drawn.rows),
+               [](const Row& row) { return subspheres_of(row).has_value(); });
+  return drawn;
+}
+
+std::string left_out_of_figures(const Table& runs) {
+  std::string names;
+  std::size_t count = 0;
+  for (const Row& row : runs.rows)
+    if (!subspheres_of(row)) {
+      const Value* run = find_value(row, "run");
+      names += (names.empty() ? "" : ", ") + (run ? shown(*run) : "a row without a name");
+      ++count;
+    }
+  if (count == 0)
+    return "";
+  return fmt::format("{} of {} runs {} not in the figures, which are of ellipsoids with one number "
+                     "N of sub-spheres (mixtures and clumps are not): {}",
+                     count, runs.rows.size(), count == 1 ? "is" : "are", names);
+}
 
 Table compared_with_paper(const Table& runs) {
   struct Compared {

@@ -14,6 +14,11 @@ extern const std::vector<int> known_figures;
 /// Columns of numbers that the figures are drawn from.
 extern const std::vector<std::string> figure_columns;
 
+/// The runs of smooth ellipsoids, and of ellipsoids with one number N of sub-spheres each.
+Table drawn_in_figures(const Table& runs);
+/// A sentence that names the others (mixtures, clumps), which are in no figure; or nothing.
+std::string left_out_of_figures(const Table& runs);
+
 /// The paper's values of piles beside those of the runs: one row per quantity and number of
 /// sub-spheres that the paper reports and a run has.
 Table compared_with_paper(const Table& runs);

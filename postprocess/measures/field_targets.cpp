@@ -199,8 +199,8 @@ class PlaneTargets : public FieldTargets {
   void set_cell(double longest) {
     area_ = cell_.volume() / cell_.thickness(axis_);
     for (std::size_t k = 0; k < 3; ++k)
-      if (k != axis_ && cell_.is_periodic(k) && component(cell_.edge(k), axis_) != 0.0)
-        throw InputError("the box is tilted, and planes across this axis do not repeat with it: "
+      if (k != axis_ && component(cell_.edge(k), axis_) != 0.0)
+        throw InputError("the box is tilted, and its sections across this axis are not all alike: "
                          "take a profile along z, or give --box");
     shifts_ = {Vector3{}};
     if (!cell_.is_periodic(axis_))

@@ -3,6 +3,7 @@
 
 #include "wall/triangle_contact.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -65,6 +66,25 @@ bool FlowGate::holds(const Vector3& position) const {
     return true;
   const Vector3 d = position - point;
   return norm(d - dot(d, normal) * normal) <= *radius;
+}
+
+SharesOfEdges shares_of_edges(const FlowGate& gate, const PeriodicCell& cell) {
+  SharesOfEdges shares;
+  const auto add = [&](const Vector3& place, bool is_first, double reach) {
+    const Vector3 f = cell.fractions(place);
+    const double share[] = {f.x, f.y, f.z};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double off = reach / cell.thickness(k);
+      shares.least[k] = is_first ? share[k] - off : std::min(shares.least[k], share[k] - off);
+      shares.greatest[k] = is_first ? share[k] + off : std::max(shares.greatest[k], share[k] + off);
+    }
+  };
+  if (gate.triangles.empty())
+    add(gate.point, true, gate.radius.value_or(0.0));
+  for (const Triangle& triangle : gate.triangles)
+    for (const Vector3& corner : triangle)
+      add(corner, &corner == &gate.triangles.front()[0], 0.0);
+  return shares;
 }
 
 std::vector<GateCrossing> crossings(const FlowGate& gate, const Vector3& from, const Vector3& to) {

@@ -71,20 +71,90 @@ double share_beyond(const ParticleSet& set, const Particle& particle, const Vect
   return 0.25 * (1.0 - h) * (1.0 - h) * (2.0 + h); // cap of the unit ball over 4 pi / 3
 }
 
+namespace {
+
+constexpr double rounding = 1.0e-9; // of a length
+
+std::array<double, 3> shares_of(const Vector3& point, const PeriodicCell& cell) {
+  const Vector3 f = cell.fractions(point);
+  return {f.x, f.y, f.z};
+}
+
+/// Sums of whole numbers of edges, each within its bounds.
+std::vector<Vector3> images_between(const std::array<double, 3>& first,
+                                    const std::array<double, 3>& last, const PeriodicCell& cell) {
+  std::vector<Vector3> images{Vector3{}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!cell.is_periodic(k))
+      continue;
+    std::vector<Vector3> more;
+    for (const Vector3& image : images)
+      for (double n = first[k]; n <= last[k]; n += 1.0)
+        more.push_back(image + n * cell.edge(k));
+    images = std::move(more);
+  }
+  return images;
+}
+
+/// All images of a way, from one that begins in the box, that may come to where a gate lies.
+std::vector<Vector3> images_at(const SharesOfEdges& gate, const Vector3& begin, const Vector3& way,
+                               const PeriodicCell& cell) {
+  const auto from = shares_of(begin, cell), to = shares_of(begin + way, cell);
+  std::array<double, 3> first{}, last{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    first[k] = std::ceil(gate.least[k] - std::max(from[k], to[k]) - rounding);
+    last[k] = std::floor(gate.greatest[k] - std::min(from[k], to[k]) + rounding);
+  }
+  return images_between(first, last, cell);
+}
+
+/// The images of a way that come through the box: where it begins, where it ends, and between.
+std::vector<Vector3> images_on_the_way(const Vector3& around, const PeriodicCell& cell) {
+  std::array<double, 3> first{}, last{};
+  const auto edges = shares_of(cell.corner() + around, cell);
+  for (std::size_t k = 0; k < 3; ++k) {
+    first[k] = std::min(0.0, std::round(edges[k]));
+    last[k] = std::max(0.0, std::round(edges[k]));
+  }
+  return images_between(first, last, cell);
+}
+
+/// Crossings of a way with an endless plane; images of it that lie in each other count once.
+std::vector<GateCrossing> plane_crossings(const FlowGate& gate, const Vector3& begin,
+                                          const Vector3& way, const Vector3& around,
+                                          const PeriodicCell& cell) {
+  std::vector<GateCrossing> passed;
+  std::vector<double> planes;
+  for (const Vector3& image : images_on_the_way(around, cell)) {
+    const double plane = dot(image, gate.normal);
+    if (std::any_of(planes.begin(), planes.end(), [&](double known) {
+          return std::abs(plane - known) <= rounding * norm(around);
+        }))
+      continue;
+    planes.push_back(plane);
+    for (const GateCrossing& crossing : crossings(gate, begin + image, begin + image + way))
+      passed.push_back(crossing);
+  }
+  return passed;
+}
+
+} // namespace
+
 /// Adds what one particle's step from frame to frame means.
 void FlowThrough::move(const Particle& particle, const State& before, const State& now, double mass,
                        const PeriodicCell& cell, FlowStep& step) const {
-  const Vector3 straight = particle.centre - before.centre, way = cell.nearest(straight);
-  const Vector3 around = straight - way; // the box, from the image at the end to that at the start
-  std::vector<GateCrossing> passed = crossings(gate_, particle.centre - way, particle.centre);
-  constexpr double rounding = 1.0e-9; // of a length
+  const Vector3 straight = now.centre - before.centre, way = cell.nearest(straight);
+  const Vector3 around = straight - way; // the box, from the image at the start to that at the end
+  std::vector<GateCrossing> passed;
+  if (!gate_.is_bounded())
+    passed = plane_crossings(gate_, before.centre, way, around, cell);
+  else
+    for (const Vector3& image : images_at(shares_, before.centre, way, cell))
+      for (const GateCrossing& crossing :
+           crossings(gate_, before.centre + image, before.centre + image + way))
+        passed.push_back(crossing);
   const bool goes_around = norm(around) > rounding * norm(straight);
-  const bool leaves_plane = std::abs(dot(around, gate_.normal)) > rounding * norm(around);
-  const bool is_bounded = gate_.radius || !gate_.triangles.empty();
-  if (goes_around && (leaves_plane || is_bounded)) // the gate may be at the other image
-    for (const GateCrossing& other : crossings(gate_, before.centre, before.centre + way))
-      passed.push_back(other);
-  if (goes_around && leaves_plane)
+  if (goes_around && std::abs(dot(around, gate_.normal)) > rounding * norm(around))
     step.volume_share_mass.reset();
   int net = 0;
   for (const GateCrossing& crossing : passed)
@@ -100,7 +170,7 @@ void FlowThrough::move(const Particle& particle, const State& before, const Stat
     step.passages.push_back(
         {particle.id, net > 0, mass, last->share, last->position, last->normal, way});
   }
-  if (step.volume_share_mass && (gate_.holds(particle.centre) || gate_.holds(before.centre)))
+  if (step.volume_share_mass && (gate_.holds(now.centre) || gate_.holds(before.centre)))
     *step.volume_share_mass += mass * (now.beyond - before.beyond);
 }
 
@@ -109,6 +179,7 @@ std::optional<FlowStep> FlowThrough::advance(const ParticleSet& set, const Perio
   FlowStep step;
   if (gate_.triangles.empty())
     step.volume_share_mass = 0.0;
+  shares_ = shares_of_edges(gate_, cell);
   std::map<std::int64_t, State> states;
   for (const Particle& p : set.particles) {
     if (!density)
@@ -116,9 +187,9 @@ std::optional<FlowStep> FlowThrough::advance(const ParticleSet& set, const Perio
     if (!density && !(p.mass > 0.0))
       throw InputError("a flow needs a column \"mass\" with masses > 0, or --density");
     const double mass = density ? *density * body_volume(set, p) : p.mass;
-    State state{p.centre, 0.0};
+    State state{cell.wrapped(p.centre), 0.0}; // whatever image the file names
     if (gate_.triangles.empty())
-      state.beyond = share_beyond(set, p, gate_.point, gate_.normal);
+      state.beyond = share_beyond(set, p, gate_.point + (p.centre - state.centre), gate_.normal);
     if (const auto before = states_.find(p.id); before != states_.end()) {
       move(p, before->second, state, mass, cell, step);
       states_.erase(before);

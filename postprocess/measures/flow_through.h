@@ -55,13 +55,14 @@ class FlowThrough {
 
  private:
   struct State {
-    Vector3 centre;
+    Vector3 centre;      ///< in the box
     double beyond = 0.0; ///< share of the volume
   };
   void move(const Particle& particle, const State& before, const State& now, double mass,
             const PeriodicCell& cell, FlowStep& step) const;
 
   FlowGate gate_;
+  SharesOfEdges shares_; ///< where the gate lies in the last frame's box
   bool has_frame_ = false;
   std::map<std::int64_t, State> states_;
 };

@@ -140,20 +140,45 @@ std::vector<CellSums> sums_in_box(const Seeds& seeds, const PeriodicCell& cell, 
   return cell_sums(container, voro::c_loop_all(container), seeds, count);
 }
 
-std::vector<CellSums> sums_in_tilted_box(const Seeds& seeds, const PeriodicCell& cell,
-                                         std::size_t count) {
+/// Axes in which the first edge lies along x and the second one in the plane of x and y.
+Rotation3 axes_of_edges(const PeriodicCell& cell) {
+  const Vector3 x = normalized(cell.edge(0)), z = normalized(cross(cell.edge(0), cell.edge(1)));
+  return {x, cross(z, x), z};
+}
+
+std::vector<CellSums> sums_in_tilted_box(Seeds seeds, const PeriodicCell& cell, std::size_t count) {
   const std::array<int, 3> n = blocks_for(cell, seeds.points.size());
-  const Vector3 &a = cell.edge(0), &b = cell.edge(1), &c = cell.edge(2);
+  const Rotation3 axes = axes_of_edges(cell);
+  const Vector3 a = axes.to_body(cell.edge(0)), b = axes.to_body(cell.edge(1)),
+                c = axes.to_body(cell.edge(2));
+  for (Vector3& point : seeds.points)
+    point = axes.to_body(point);
   voro::container_periodic container(a.x, b.x, b.y, c.x, c.y, c.z, n[0], n[1], n[2], first_memory);
   fill(container, seeds);
   return cell_sums(container, voro::c_loop_all_periodic(container), seeds, count);
+}
+
+/// Cells fill the box: what does not is a fault of this program.
+void require_whole_box(const std::vector<CellSums>& sums, const PeriodicCell& cell) {
+  constexpr double rounding = 1.0e-6;
+  double whole = 0.0;
+  for (const CellSums& one : sums)
+    whole += one.volume;
+  if (!(std::abs(whole - cell.volume()) <= rounding * cell.volume()))
+    throw InputError(fmt::format("internal error: the Voronoi cells have the volume {}, the box {}",
+                                 whole, cell.volume()));
+}
+
+/// Whether edges are elsewhere than along x, y, z, in this order.
+bool has_own_axes(const PeriodicCell& cell) {
+  return cell.is_tilted() || cell.edge(0).x < 0.0 || cell.edge(1).y < 0.0 || cell.edge(2).z < 0.0;
 }
 
 void check(const PeriodicCell& cell) {
   const bool is_whole = cell.is_periodic(0) && cell.is_periodic(1) && cell.is_periodic(2);
   if (!(cell.volume() > 0.0))
     throw InputError("the box has no volume: give --box");
-  if (cell.is_tilted() && !is_whole)
+  if (has_own_axes(cell) && !is_whole)
     throw InputError("Voronoi cells in a tilted box need a box that is periodic along x, y and z");
 }
 
@@ -167,7 +192,8 @@ std::vector<SetVoronoiCell> set_voronoi(const ParticleSet& set, const PeriodicCe
   const Seeds seeds = seeds_of(set, cell, options);
   const std::size_t count = set.particles.size();
   const std::vector<CellSums> sums =
-      cell.is_tilted() ? sums_in_tilted_box(seeds, cell, count) : sums_in_box(seeds, cell, count);
+      has_own_axes(cell) ? sums_in_tilted_box(seeds, cell, count) : sums_in_box(seeds, cell, count);
+  require_whole_box(sums, cell);
   std::vector<SetVoronoiCell> cells;
   for (std::size_t i = 0; i < count; ++i) {
     SetVoronoiCell result;

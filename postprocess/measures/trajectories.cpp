@@ -37,6 +37,7 @@ void Trajectories::move(const ParticleSet& set, const PeriodicCell& cell) {
     // one that was away for a while begins anew: its way in between is not known
     if (is_new || state.last_seen + 1 != frame_) {
       state = State{};
+      state.first_seen = frame_;
     } else {
       state.way += cell.nearest(p.centre - state.centre);
       state.angle += rotation_between(state.orientation, p.orientation);
@@ -59,7 +60,7 @@ void Trajectories::compare(const Origin& origin) {
       ++now;
     if (now == states_.end())
       return;
-    if (now->first != id)
+    if (now->first != id || now->second.first_seen > origin.frame)
       continue;
     const Vector3 d = now->second.way - then.way, turn = now->second.angle - then.angle;
     const double cosine = dot(now->second.direction, then.direction);

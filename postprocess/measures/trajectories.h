@@ -47,9 +47,9 @@ class Trajectories {
   struct State {
     Vector3 centre; ///< as in the last frame
     Quaternion orientation;
-    Vector3 way, angle;        ///< summed up since it was first seen
-    Vector3 direction;         ///< of the longest semi-axis
-    std::size_t last_seen = 0; ///< number of the frame
+    Vector3 way, angle;                        ///< summed up since it was first seen
+    Vector3 direction;                         ///< of the longest semi-axis
+    std::size_t first_seen = 0, last_seen = 0; ///< numbers of the frames of its way
   };
   struct Origin {
     std::size_t frame = 0;

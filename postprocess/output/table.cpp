@@ -147,6 +147,8 @@ std::string shown(const Value& value) {
 }
 
 std::vector<Quantity> Table::header() const {
+  if (rows.empty())
+    return columns;
   std::vector<Quantity> result;
   for (const Row& row : rows)
     for (const Quantity& q : row)

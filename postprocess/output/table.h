@@ -26,6 +26,7 @@ using Row = std::vector<Quantity>;
 struct Table {
   std::string title;
   std::vector<Row> rows;
+  Row columns = {}; ///< of a table that may rightly have no rows: its header then
 
   /// Keys of all rows in the order of their first appearance.
   std::vector<Quantity> header() const;

@@ -1,6 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "column_names.h"
 
+#include "named_once.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -34,8 +36,10 @@ NamedColumns::NamedColumns(const Frame& frame, const ColumnNames& names)
 std::ptrdiff_t NamedColumns::index_of(const std::string& name) const {
   const auto named = names_.find(name);
   const std::vector<std::string>& there = frame_.names;
-  const auto found =
-      std::find(there.begin(), there.end(), named == names_.end() ? name : named->second);
+  const std::string& column = named == names_.end() ? name : named->second;
+  const auto found = std::find(there.begin(), there.end(), column);
+  if (found != there.end())
+    require_once(frame_, column);
   return found == there.end() ? -1 : found - there.begin();
 }
 

@@ -105,15 +105,22 @@ Vector3 PositionColumns::unscaled(const Vector3& s) const {
 SizeColumns::SizeColumns(const NamedColumns& columns, const ParticleOptions& options)
     : frame_(columns.frame()), given_(options.semiaxes),
       shape_(columns.find("shapex", "shapey", "shapez")) {
-  const VectorColumns computed =
-      shape_ ? VectorColumns() : columns.find("c_shape[1]", "c_shape[2]", "c_shape[3]");
-  const bool is_named = columns.is_assigned("shapex");
-  are_whole_axes_ = !is_named && (shape_ ? columns.has("quatw") && !columns.has("quat1")
-                                         : static_cast<bool>(computed));
+  const bool is_named = columns.is_assigned("shapex"), is_plain = static_cast<bool>(shape_);
+  const bool has_other_orientation =
+      !columns.has("quat1") && (columns.has("quatw") || columns.has("c_orient[4]"));
   is_scale_given_ = options.size_scale.has_value();
+  if (!is_plain)
+    shape_ = columns.find("c_diameter[1]", "c_diameter[2]", "c_diameter[3]");
+  are_whole_axes_ = !is_named && shape_ && (!is_plain || has_other_orientation);
+  if (!shape_) {
+    shape_ = columns.find("c_shape[1]", "c_shape[2]", "c_shape[3]");
+    if (shape_ && !is_scale_given_)
+      throw InputError(
+          "the columns c_shape[*] hold semi-axes where LIGGGHTS or a LAMMPS older than "
+          "July 2020 wrote them, whole axes where a later LAMMPS did: say which, "
+          "--size-scale 1 or --size-scale 0.5");
+  }
   scale_ = options.size_scale.value_or(are_whole_axes_ ? 0.5 : 1.0);
-  if (!shape_)
-    shape_ = computed;
   if (!shape_) {
     radius_ = columns.find("radius");
     diameter_ = columns.find("diameter");
@@ -160,6 +167,7 @@ OrientationColumns::OrientationColumns(const NamedColumns& columns) : frame_(col
   const std::vector<std::vector<std::string>> names = {
       {"quat1", "quat2", "quat3", "quat4"},
       {"quatw", "quati", "quatj", "quatk"},
+      {"quatw", "quatx", "quaty", "quatz"},
       {"c_orient[4]", "c_orient[1]", "c_orient[2]", "c_orient[3]"}};
   for (const std::vector<std::string>& q : names) {
     const Availability availability = availability_of(columns, q);
@@ -168,6 +176,7 @@ OrientationColumns::OrientationColumns(const NamedColumns& columns) : frame_(col
       x_ = columns.find(q[1]);
       y_ = columns.find(q[2]);
       z_ = columns.find(q[3]);
+      is_order_assumed_ = q[0] == "c_orient[4]";
     }
     fault_ = availability.fault();
     if (w_ || !fault_.empty())
@@ -177,6 +186,14 @@ OrientationColumns::OrientationColumns(const NamedColumns& columns) : frame_(col
     throw InputError("the order of the quaternion in the columns c_q[*] is not known: say it, for "
                      "example --column quat1=c_q[1] --column quat2=c_q[2] --column quat3=c_q[3] "
                      "--column quat4=c_q[4] (quat1: scalar part)");
+}
+
+std::string OrientationColumns::remark() const {
+  return is_order_assumed_
+             ? "c_orient[1] to c_orient[4] are taken as quati quatj quatk quatw, as OVITO takes "
+               "them; for another order say --column quat1=c_orient[1] (the scalar part) and so on "
+               "to quat4"
+             : "";
 }
 
 Quaternion OrientationColumns::at(std::size_t row, const Vector3& semiaxes) const {

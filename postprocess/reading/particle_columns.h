@@ -61,10 +61,13 @@ class OrientationColumns {
  public:
   explicit OrientationColumns(const NamedColumns& columns);
   Quaternion at(std::size_t row, const Vector3& semiaxes) const;
+  /// How the order of the columns was understood where it could be another; or nothing.
+  std::string remark() const;
 
  private:
   const Frame& frame_;
   std::string fault_; ///< a value that is no number
+  bool is_order_assumed_ = false;
   Column w_ = nullptr, x_ = nullptr, y_ = nullptr, z_ = nullptr;
 };
 

@@ -109,8 +109,9 @@ void add_ellipsoids(ParticleSet& set, const NamedColumns& columns, const Particl
   refuse_both(subspheres, options.subspheres.has_value(), "--subspheres", "f_subspheres");
   refuse_both(spacing, options.spacing.has_value(), "--spacing", "f_spacing");
   common.describe(set);
-  if (const std::string remark = sizes.remark(); !remark.empty())
-    set.remarks.push_back(remark);
+  for (const std::string& remark : {sizes.remark(), orientations.remark()})
+    if (!remark.empty())
+      set.remarks.push_back(remark);
   TemplateCache templates;
   const ClumpFiles clumps(options.clumps);
   set.particles.reserve(frame.rows);

@@ -102,7 +102,7 @@ struct ParticleOptions {
 /// Columns: x y z (or xu, xs, xsu ...), shapex shapey shapez (semi-axes) or radius, quat1..quat4,
 /// id, type, mass, vx.., omegax.., f_subspheres (number N; 0 or missing: smooth), f_spacing
 /// (1000 + n: clump n).
-/// LAMMPS's names quatw..quatk and c_orient[*], c_shape[*]: whole axes, which are halved.
+/// LAMMPS's names quatw..quatk, c_orient[*], c_diameter[*]: whole axes, which are halved.
 /// Rows with a column `id_multisphere` > 0 are spheres of a rigid body of the host.
 /// Throws InputError for missing columns, sizes <= 0, quaternions of length 0, impossible N, ids
 /// that come twice, superquadrics that are no ellipsoids, and columns whose meaning is not sure.

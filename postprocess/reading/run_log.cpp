@@ -5,6 +5,7 @@
 #include "whole_token.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
@@ -48,21 +49,52 @@ std::vector<std::string_view> words_of(std::string_view line) {
   return words;
 }
 
-/// "fix ID GROUP gravity G vector X Y Z"
+/// As many words from `first` on, as numbers; nothing if one is missing or is none.
+std::vector<double> numbers_of(const std::vector<std::string_view>& words, std::size_t first,
+                               std::size_t count) {
+  std::vector<double> numbers;
+  for (std::size_t k = first; k < words.size() && k < first + count; ++k)
+    if (const auto number = whole_token<double>(words[k]))
+      numbers.push_back(*number);
+  return numbers.size() == count ? numbers : std::vector<double>();
+}
+
+Vector3 at_angles(double azimuth_deg, double polar_deg) {
+  constexpr double degree = 3.141592653589793238462643 / 180.0;
+  const double azimuth = azimuth_deg * degree, polar = polar_deg * degree;
+  return {std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
+          std::cos(polar)};
+}
+
+/// "fix ID GROUP gravity G" and "vector X Y Z", "spherical PHI THETA" or "chute ANGLE" (deg).
 std::optional<Vector3> gravity_of(const std::vector<std::string_view>& words) {
-  if (words.size() < 9 || words[0] != "fix" || words[3] != "gravity" || words[5] != "vector")
+  constexpr std::size_t style = 5;
+  const std::vector<double> magnitude = numbers_of(words, style - 1, 1);
+  if (words.size() <= style || magnitude.empty())
     return std::nullopt;
-  double numbers[4];
-  for (std::size_t k = 0; k < 4; ++k) {
-    const auto number = whole_token<double>(words[k == 0 ? 4 : k + 5]);
-    if (!number)
-      return std::nullopt;
-    numbers[k] = *number;
-  }
-  const Vector3 direction{numbers[1], numbers[2], numbers[3]};
-  if (!(norm(direction) > 0.0))
+  const std::string_view word = words[style];
+  const std::size_t count = word == "vector" ? 3 : word == "spherical" ? 2 : 1;
+  const std::vector<double> n = numbers_of(words, style + 1, count);
+  if (n.empty())
     return std::nullopt;
-  return numbers[0] * normalized(direction);
+  if (word == "spherical")
+    return magnitude[0] * at_angles(n[0], n[1]);
+  if (word == "chute")
+    return magnitude[0] * at_angles(0.0, 180.0 - n[0]);
+  if (word != "vector" || !(norm(Vector3{n[0], n[1], n[2]}) > 0.0))
+    return std::nullopt;
+  return magnitude[0] * normalized(Vector3{n[0], n[1], n[2]});
+}
+
+bool is_gravity(const std::vector<std::string_view>& words) {
+  return words.size() > 4 && words[0] == "fix" && words[3] == "gravity";
+}
+
+/// A line with a variable's name comes once more with its value.
+bool is_substituted(const std::vector<std::string_view>& words) {
+  return std::none_of(words.begin(), words.end(), [](std::string_view word) {
+    return word.find('$') != std::string_view::npos;
+  });
 }
 
 /// The seed of a fix that draws random numbers: after the style of templates and distributions,
@@ -94,27 +126,29 @@ class LogLines {
       is_thermo_ = true;
     } else if (words[0] == "Loop") {
       is_thermo_ = false;
-    } else if (is_thermo_) {
-      read_step(words[0]);
-    } else {
-      read_command(words);
+    } else if (!is_thermo_ || !read_step(words[0])) {
+      read_command(words); // also behind the lines of a run that was ended by force
     }
   }
 
  private:
-  void read_step(std::string_view word) {
+  bool read_step(std::string_view word) {
     const auto step = whole_token<std::int64_t>(word);
     if (!step)
-      return;
+      return false;
     log_.reached_step = step;
     if (steps_)
       log_.wanted_step = *step + *steps_; // the first line: where the run begins
     steps_.reset();
+    return true;
   }
   void read_command(const std::vector<std::string_view>& words) {
     if (words[0] == "timestep" && words.size() > 1) {
       if (const auto value = whole_token<double>(words[1]))
-        log_.time_step = value;
+        set_time_step(*value);
+    } else if (words[0] == "reset_timestep" || (words[0] == "read_restart" && !log_.time_step) ||
+               (words[0] == "fix" && words.size() > 3 && words[3].substr(0, 8) == "dt/reset")) {
+      set_time_step(std::nullopt); // steps before are of another run, or have other times
     } else if (words[0] == "run" && words.size() > 1) {
       const auto count = whole_token<std::int64_t>(words[1]);
       const bool is_upto = words.size() > 2 && words[2] == "upto";
@@ -123,19 +157,45 @@ class LogLines {
       steps_ = is_upto ? std::nullopt : count;
     } else if (const auto seed = seed_of(words)) {
       log_.seeds[fmt::format("{} ({})", words[1], words[3])] = std::string(*seed);
-    } else if (const auto gravity = gravity_of(words)) {
+    } else if (is_gravity(words) && is_substituted(words)) {
       // a resumed run appends to its log: the same fix comes again
-      gravity_[std::string(words[1])] = *gravity;
-      log_.gravity = Vector3{};
-      for (const auto& [id, value] : gravity_)
-        *log_.gravity += value;
+      gravity_[std::string(words[1])] = gravity_of(words);
+      gravity_command_ = joined(words);
+      sum_gravity();
+    } else if (words[0] == "unfix" && words.size() > 1 &&
+               gravity_.erase(std::string(words[1])) > 0) {
+      sum_gravity();
     }
+  }
+
+  void set_time_step(const std::optional<double>& value) {
+    has_many_steps_ = has_many_steps_ || !value || (log_.time_step && log_.time_step != value);
+    log_.time_step = has_many_steps_ ? std::nullopt : value;
+  }
+
+  void sum_gravity() {
+    log_.gravity = Vector3{};
+    log_.untold_gravity.clear();
+    for (const auto& [id, value] : gravity_) {
+      *log_.gravity += value.value_or(Vector3{});
+      if (!value)
+        log_.untold_gravity = gravity_command_;
+    }
+  }
+
+  static std::string joined(const std::vector<std::string_view>& words) {
+    std::string text;
+    for (const std::string_view word : words)
+      text += (text.empty() ? "" : " ") + std::string(word);
+    return text;
   }
 
   RunLog& log_;
   bool is_thermo_ = false;
   std::optional<std::int64_t> steps_; ///< of a run whose first line is still to come
-  std::map<std::string, Vector3> gravity_;
+  bool has_many_steps_ = false;
+  std::map<std::string, std::optional<Vector3>> gravity_; ///< by fix; nothing: not told
+  std::string gravity_command_;
 };
 
 } // namespace
@@ -181,6 +241,11 @@ const RunLog* run_log_of(const std::string& dump) {
 }
 
 std::string log_beside(const std::string& dump) {
+  const std::vector<std::string> logs = logs_beside(dump);
+  return logs.empty() ? "" : logs.front();
+}
+
+std::vector<std::string> logs_beside(const std::string& dump) {
   namespace fs = std::filesystem;
   std::error_code error;
   std::vector<std::string> found;
@@ -191,7 +256,8 @@ std::string log_beside(const std::string& dump) {
     if (is_log && entry.is_regular_file(error))
       found.push_back(entry.path().string());
   }
-  return found.empty() ? "" : *std::min_element(found.begin(), found.end());
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 } // namespace ellipsoid::post

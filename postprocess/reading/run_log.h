@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ellipsoid::post {
 
@@ -18,10 +19,11 @@ struct RunLog {
   std::map<std::string, std::string> seeds;     ///< of random numbers, by the fix's ID and style
   double loop_time = 0.0;                       ///< of all run commands together (s)
   int ranks = 0;                                ///< MPI processes of the last run command
-  std::optional<double> time_step;              ///< of the last `timestep` command
+  std::optional<double> time_step;              ///< where all steps since step 0 had this one (s)
   std::optional<Vector3> gravity;               ///< of `fix gravity`, all fixes together
-  std::optional<std::int64_t> wanted_step;      ///< at which the last run command was to end
-  std::optional<std::int64_t> reached_step;     ///< of the last line of thermo output
+  std::string untold_gravity; ///< command of a `fix gravity` that the log does not tell
+  std::optional<std::int64_t> wanted_step;  ///< at which the last run command was to end
+  std::optional<std::int64_t> reached_step; ///< of the last line of thermo output
 
   /// Whether the last run command came to its end; nothing where the log does not tell.
   std::optional<bool> is_complete() const;
@@ -34,7 +36,9 @@ RunLog read_run_log(const std::string& path);
 /// there is none. Throws InputError when it cannot be read.
 const RunLog* run_log_of(const std::string& dump);
 
-/// The first file "log.*" or "*.log" in the folder of a dump, or an empty string.
+/// The files "log.*" and "*.log" in the folder of a dump, in the order of their names.
+std::vector<std::string> logs_beside(const std::string& dump);
+/// The first of them, or an empty string.
 std::string log_beside(const std::string& dump);
 
 } // namespace ellipsoid::post

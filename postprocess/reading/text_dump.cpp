@@ -100,6 +100,35 @@ void set_tilted(Box& box, const double (&tilts)[3]) {
   box.upper[1] += yz;
 }
 
+/// "pp", "fs" ...: what the box does at both sides of an axis; none: the file does not say it.
+bool are_sides(const std::vector<std::string>& words) {
+  return words.empty() ||
+         (words.size() == 3 && std::all_of(words.begin(), words.end(), [](auto& w) {
+            return w.size() == 2 && w.find_first_not_of("pfsm") == std::string::npos &&
+                   (w[0] == 'p') == (w[1] == 'p');
+          }));
+}
+
+/// The first axis along which the bounds leave no room for the tilts, or 3.
+std::size_t impossible_axis(const Box& box, const double (&tilts)[3]) {
+  const double shifts[3] = {tilts[0] + tilts[1], tilts[2], 0.0}; // of the opposite corner
+  std::size_t k = 0;
+  while (k < 3 && box.lower[k] <= box.upper[k] - shifts[k])
+    ++k;
+  return k;
+}
+
+/// The corner opposite to the origin of a box of three edges.
+void set_upper(Box& box) {
+  for (std::size_t k = 0; k < 3; ++k)
+    box.upper[k] = box.lower[k];
+  for (const Vector3& edge : box.tilted_edges) {
+    box.upper[0] += edge.x;
+    box.upper[1] += edge.y;
+    box.upper[2] += edge.z;
+  }
+}
+
 } // namespace
 
 /// Three lines: "lower upper" of a box along the axes, "lower upper tilt" (xy, xz, yz) with the
@@ -114,6 +143,9 @@ void TextDumpReader::read_box(Frame& frame, std::string_view title) {
   for (const auto& word : words)
     if (word != "xy" && word != "xz" && word != "yz" && word != "abc" && word != "origin")
       frame.box.boundary += (frame.box.boundary.empty() ? "" : " ") + word;
+  if (!are_sides(tokens_of(frame.box.boundary)))
+    throw unexpected(here(), "what the box does at its sides, as pp, ff or fs for each of x, y, z",
+                     quoted(frame.box.boundary));
   double tilts[3] = {0.0, 0.0, 0.0};
   for (int k = 0; k < 3; ++k) {
     std::string_view rest = line_of("the lower and upper bound of the box");
@@ -134,13 +166,13 @@ void TextDumpReader::read_box(Frame& frame, std::string_view title) {
   }
   if (is_tilted)
     set_tilted(frame.box, tilts);
-  for (const Vector3& edge : is_general ? frame.box.tilted_edges : std::vector<Vector3>{}) {
-    frame.box.upper[0] += edge.x;
-    frame.box.upper[1] += edge.y;
-    frame.box.upper[2] += edge.z;
+  if (is_general) {
+    set_upper(frame.box);
+  } else if (const std::size_t k = impossible_axis(frame.box, tilts); k < 3 && frame.rows > 0) {
+    throw unexpected(
+        here(), "a lower bound of the box below the upper one (and below it by the tilts)",
+        fmt::format("{} and {} for {}", frame.box.lower[k], frame.box.upper[k], "xyz"[k]));
   }
-  for (int k = 0; is_general && k < 3; ++k)
-    frame.box.upper[k] += frame.box.lower[k];
 }
 
 /// One section of the header behind "ITEM: "; true when it was the one that announces the rows.

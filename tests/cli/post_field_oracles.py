@@ -9,6 +9,7 @@ import math
 
 import numpy as np
 
+from _oracles import rotation
 from _synthetic import COLUMNS, json_of, post, rows_of, write
 
 SEED = 19670412
@@ -18,13 +19,6 @@ LISTS = ("--contacts", "pairs.local", "--id-columns", "i", "j", "--point-columns
          "--normal-columns", "nx", "ny", "nz", "--wall-contacts", "walls.local", "--wall-id-column", "i", "--wall-point-columns", "px", "py",
          "pz", "--wall-force-columns", "fx", "fy", "fz", "--wall-normal-columns", "nx", "ny", "nz")
 SHAPES = [(1.3e-3, 1e-3, 0.8e-3), (0.7e-3, 1.2e-3, 1.2e-3), (1e-3,) * 3, (2.7e-3, 1.15e-3, 1.15e-3)]
-
-
-def rotation(q):
-    w, x, y, z = q
-    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
 
 
 class Function:

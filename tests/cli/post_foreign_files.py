@@ -169,10 +169,25 @@ def check_meanings_of_columns():
     assert post("contacts", name, "--size-scale", 1)[1].count("--size-scale") == 0
     assert contacts(name, "--size-scale", 1) == 1
     turned = [(1, 0, 0, 0, 0, 0, math.sqrt(0.5), math.sqrt(0.5), 3, 1, 1)]
-    name = dump("ovito.dump", "id x y z c_orient[1] c_orient[2] c_orient[3] c_orient[4] c_shape[1] "
-                "c_shape[2] c_shape[3]", turned)
-    (row,) = json_of("orientation", name)
+    orient = "id x y z c_orient[1] c_orient[2] c_orient[3] c_orient[4] "
+    name = dump("ovito.dump", orient + "c_shape[1] c_shape[2] c_shape[3]", turned)
+    refused("orientation", name, words=("c_shape[*]", "--size-scale 1", "--size-scale 0.5"))
+    (row,) = json_of("orientation", name, "--size-scale", 1)
     assert abs(row["director_y"]) > 1 - 1e-12, row  # x turned by 90 degrees about z
+    assert "--column quat1=c_orient[1]" in post("orientation", name, "--size-scale", 1)[1]
+    scalar_first = [f"--column=quat{k}=c_orient[{k}]" for k in (1, 2, 3, 4)]
+    turned = [(1, 0, 0, 0, math.sqrt(0.5), 0, 0, math.sqrt(0.5), 3, 1, 1)]
+    name = dump("scalar_first.dump", orient + "c_shape[1] c_shape[2] c_shape[3]", turned)
+    assert "c_orient" not in post("orientation", name, "--size-scale", 1, *scalar_first)[1]
+    (row,) = json_of("orientation", name, "--size-scale", 1, *scalar_first)
+    assert abs(row["director_y"]) > 1 - 1e-12, row
+    # names of whole axes: two bodies of semi-axes 1.5 0.5 0.5 beside each other, 1.01 apart, do not touch
+    apart = [(k, 0, y, 0, 0, 0, 0, 1, 3, 1, 1) for k, y in ((1, 0), (2, 1.01))]
+    for columns in (orient + "c_diameter[1] c_diameter[2] c_diameter[3]", orient + "shapex shapey shapez",
+                    "id x y z quatx quaty quatz quatw shapex shapey shapez", "id x y z quati quatj quatk quatw c_diameter[1] c_diameter[2] c_diameter[3]"):
+        name = dump("whole.dump", columns, apart)
+        assert contacts(name) == 0 and "halved" in post("contacts", name)[1], columns
+        assert contacts(name, "--size-scale", 1) == 1
     name = dump("q.dump", "id x y z c_q[1] c_q[2] c_q[3] c_q[4] radius",
                 [(1, 0, 0, 0, 1, 0, 0, 0, 1)])
     refused("orientation", name, words=("c_q", "--column quat1=c_q[1]"))

@@ -177,7 +177,8 @@ EXAMPLES = {
                    **lists("space", COLLISIONS["beside"], forces=False),
                    "--point-columns": Example("px", "py", "pz", beside=(*[c.format("space") for c in CONTACT_LIST], *COLLISIONS["beside"])),
                    "--overlap-column": Example("h", beside=(*[c.format("space") for c in CONTACT_LIST], *COLLISIONS["beside"]))},
-    "flow": {**reading("space"), **TIME, **TABLE, "--through": Example(0, 0, 0.002, 0, 0, 1), "--density": Example(900.0),
+    "flow": {**reading("space"), "--frame": Example("200", refused="at least two frames"), "--each-file": Example(
+                 files=at("space/one.100.dump", "space/one.200.dump"), refused="at least two frames"), **TIME, **TABLE, "--through": Example(0, 0, 0.002, 0, 0, 1), "--density": Example(900.0),
              "--disc": Example(0, 0, 0.0038, 0, 0, 1, 0.003, drop=("--through",)), "--face": Example(*at("face.stl"), drop=("--through",)),
              "--scale": Example(0.5, beside=("--face", *at("face.stl")), drop=("--through",)), "--total": Example(),
              "--inlet": Example(0, 0, 0.0037, 0, 0, 1, beside=("--dt", 1e-5)),

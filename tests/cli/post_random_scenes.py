@@ -12,18 +12,12 @@ import os
 
 import numpy as np
 
+from _oracles import contact_function, rotation
 from _synthetic import json_of, post, write
 
 SEED = 20100213
 SCENES = int(os.environ.get("ELLIPSOID_SCENES", "12"))
 COLUMNS = "id type mass x y z vx vy vz omegax omegay omegaz quat1 quat2 quat3 quat4 shapex shapey shapez f_subspheres".split()
-
-
-def rotation(q):
-    w, x, y, z = q
-    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
 
 
 def chain_of(a, b):
@@ -104,21 +98,6 @@ class Scene:
                    5 if self.kinds[k] == "chain" else 0]
             lines.append(" ".join(repr(row[c]) if isinstance(row[c], int) else repr(float(row[c])) for c in columns))
         return write(name, "\n".join(lines) + "\n")
-
-
-def contact_function(r, a, b):
-    """max over s of s (1 - s) r ((1 - s) a + s b)^-1 r: below 1 where the ellipsoids overlap."""
-    s = np.linspace(0, 1, 41)[1:-1]
-
-    def value(s):
-        m = (1 - s)[:, None, None] * a + s[:, None, None] * b
-        return s * (1 - s) * np.einsum("i,nij,j->n", r, np.linalg.inv(m), r)
-
-    for _ in range(5):  # concave: the interval about the best shrinks
-        f = value(s)
-        k = int(np.argmax(f))
-        s = np.linspace(s[max(0, k - 1)], s[min(len(s) - 1, k + 1)], 21)
-    return value(s).max()
 
 
 def touching(scene):

@@ -14,6 +14,7 @@ import sys
 import numpy as np
 
 from _browser import ask
+from _oracles import rotation
 from _png import pixels_of
 from _synthetic import frame_text, post
 
@@ -22,13 +23,6 @@ COLUMNS = ("id type mass x y z vx vy vz omegax omegay omegaz quat1 quat2 quat3 q
 SEED = 20100213
 SIZE = (640, 480)
 PALETTE = [(0, 114, 178), (230, 159, 0), (0, 158, 115)]
-
-
-def rotation(q):
-    w, x, y, z = q
-    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
 
 
 def scene(rng, count=24):

@@ -27,9 +27,11 @@ int FrameChooser::read(const std::vector<std::string>& files) {
       choose();
   } catch (const InputError& error) {
     collect_all();
-    if (!is_unreadable_)
-      report_error(error.what());
-    code_ = exit_bad_data;
+    if (!is_found_) { // what comes behind the frame that was asked for does not matter
+      if (!is_unreadable_)
+        report_error(error.what());
+      code_ = exit_bad_data;
+    }
   }
   if (options_.frames == "last" && has_last_) {
     if (last_.rows == 0)
@@ -51,7 +53,8 @@ int FrameChooser::read(const std::vector<std::string>& files) {
 /// Threads read the rows of their frames, but not of the first one: what is wrong with a file is
 /// mostly seen there.
 bool FrameChooser::next_of(FrameStream& stream) {
-  return workers_ && seen_ > 0 ? stream.next_unread(frame_) : stream.next(frame_);
+  const bool is_enough = is_found_ || (workers_ && seen_ > 0);
+  return is_enough ? stream.next_unread(frame_) : stream.next(frame_);
 }
 
 /// Why nothing was chosen although nothing is broken.
@@ -83,10 +86,23 @@ void FrameChooser::choose() {
     has_last_ = true;
   } else if (options_.frames == "all") {
     hand_over(frame_);
-  } else if (options_.frames == "first" || fmt::format("{}", frame_.timestep) == options_.frames) {
+  } else if (options_.frames == "first") {
     hand_over(frame_);
     is_done_ = true;
+  } else if (fmt::format("{}", frame_.timestep) == options_.frames) {
+    choose_step();
   }
+}
+
+/// The first frame of a time step; a run that was resumed may have written it twice.
+void FrameChooser::choose_step() {
+  is_done_ = is_found_;
+  if (is_found_)
+    report_warning(fmt::format("{}: several frames are of time step {}: the first one is taken",
+                               run_, options_.frames));
+  else
+    hand_over(frame_);
+  is_found_ = true;
 }
 
 /// Measures a frame, now or in a thread.

@@ -49,6 +49,7 @@ class FrameChooser {
   bool next_of(FrameStream& stream);
   std::string no_frame() const;
   void choose();
+  void choose_step();
   void hand_over(Frame& frame);
   void hand_to_workers(Frame& frame);
   Outcome outcome_of(Frame& frame) const;
@@ -64,6 +65,7 @@ class FrameChooser {
   const std::function<Collect(const ChosenFrame&)>& measure_;
   Frame frame_, last_;
   bool has_last_ = false, is_done_ = false;
+  bool is_found_ = false;             ///< the frame of the time step that was asked for
   bool is_unreadable_ = false;        ///< rows of a frame that was given to the threads
   std::size_t chosen_ = 0, seen_ = 0; ///< frames
   std::size_t rows_waiting_ = 0, text_waiting_ = 0; ///< rows, bytes

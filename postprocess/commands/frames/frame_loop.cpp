@@ -60,7 +60,12 @@ int for_chosen_frames(const FrameOptions& options,
 }
 
 Row frame_row(const ChosenFrame& chosen) {
-  return {{"run", "run", "", chosen.run}, {"timestep", "time step", "", chosen.frame.timestep}};
+  Row row = frame_columns();
+  row[0].value = chosen.run;
+  row[1].value = chosen.frame.timestep;
+  return row;
 }
+
+Row frame_columns() { return {{"run", "run", "", {}}, {"timestep", "time step", "", {}}}; }
 
 } // namespace ellipsoid::post

@@ -36,5 +36,7 @@ int for_measured_frames(const FrameOptions& options,
 
 /// Columns that every row of a table on frames begins with: run and time step.
 Row frame_row(const ChosenFrame& chosen);
+/// The same without values, for tables without rows.
+Row frame_columns();
 
 } // namespace ellipsoid::post

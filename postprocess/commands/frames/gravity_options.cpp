@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "gravity_options.h"
 
-#include "run_log.h"
+#include "run_state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,12 @@
 namespace ellipsoid::post {
 namespace {
 
-std::optional<Vector3> logged_gravity(const ChosenFrame& chosen) {
-  const RunLog* log = run_log_of(chosen.frame.location.file);
+/// @param[in] option that says it where the log does not
+std::optional<Vector3> logged_gravity(const ChosenFrame& chosen, const char* option) {
+  const RunLog* log = log_of(chosen);
+  if (log && !log->untold_gravity.empty())
+    throw InputError(fmt::format("{} does not tell gravity (\"{}\"): say it by {}", log->path,
+                                 log->untold_gravity, option));
   return log ? log->gravity : std::nullopt;
 }
 
@@ -36,10 +40,12 @@ Gravity gravity_of(const std::vector<double>& option, const ChosenFrame& chosen)
   if (option.size() == 2)
     throw InputError("--gravity takes gx gy gz, or the magnitude alone");
   Gravity gravity;
-  const std::optional<Vector3> logged = logged_gravity(chosen);
+  const bool is_whole = option.size() == 3;
+  const std::optional<Vector3> logged =
+      is_whole ? std::nullopt : logged_gravity(chosen, "--gravity gx gy gz");
   const bool is_plane = lies_in_one_plane(chosen.set);
   gravity.source = !option.empty() ? "option" : logged ? "log" : "assumed";
-  if (option.size() == 3)
+  if (is_whole)
     gravity.vector = Vector3{option[0], option[1], option[2]};
   else if (option.size() == 1 && logged && norm(*logged) > 0.0)
     gravity.vector = option[0] * normalized(*logged);
@@ -77,7 +83,7 @@ void add_up_option(CLI::App& command, std::string& up) {
 UpDirection up_direction(const std::string& option, const ChosenFrame& chosen) {
   if (!option.empty())
     return {option == "y" ? UpAxis::y : UpAxis::z, "option"};
-  const std::optional<Vector3> gravity = logged_gravity(chosen);
+  const std::optional<Vector3> gravity = logged_gravity(chosen, "--up y or --up z");
   if (!gravity || !(norm(*gravity) > 0.0))
     return {UpAxis::z, "assumed"};
   constexpr double nearly = 0.999; // cosine

@@ -2,6 +2,7 @@
 #include "particle_values.h"
 
 #include "input_error.h"
+#include "messages.h"
 #include "step_names.h"
 
 #include <algorithm>
@@ -33,12 +34,26 @@ std::string csv_text(const ChosenFrame& chosen, const std::vector<ParticleValues
   return as_csv(table);
 }
 
+/// Origin and edges of a box whose first edge is not along x, or the second one not in the plane
+/// of x and y.
+std::string general_box_text(const Box& box) {
+  std::string text = fmt::format("ITEM: BOX BOUNDS abc origin {}\n", box.boundary);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3& edge = box.tilted_edges[k];
+    text += fmt::format("{} {} {} {}\n", edge.x, edge.y, edge.z, box.lower[k]);
+  }
+  return text;
+}
+
 /// Bounds of the box, of a tilted one those of the box around it and the tilts.
 std::string box_text(const Box& box) {
   if (box.tilted_edges.empty())
     return fmt::format("ITEM: BOX BOUNDS {}\n{} {}\n{} {}\n{} {}\n", box.boundary, box.lower[0],
                        box.upper[0], box.lower[1], box.upper[1], box.lower[2], box.upper[2]);
   const Vector3 &a = box.tilted_edges[0], &b = box.tilted_edges[1], &c = box.tilted_edges[2];
+  const bool is_along_axes = a.y == 0.0 && a.z == 0.0 && b.z == 0.0;
+  if (!is_along_axes || a.x <= 0.0 || b.y <= 0.0 || c.z <= 0.0)
+    return general_box_text(box);
   const double low_x = std::min({0.0, b.x, c.x, b.x + c.x}), low_y = std::min(0.0, c.y);
   const double high_x = std::max({0.0, b.x, c.x, b.x + c.x}), high_y = std::max(0.0, c.y);
   return fmt::format("ITEM: BOX BOUNDS xy xz yz {}\n{} {} {}\n{} {} {}\n{} {} {}\n", box.boundary,
@@ -46,15 +61,32 @@ std::string box_text(const Box& box) {
                      box.lower[1] + b.y + high_y, c.x, box.lower[2], box.lower[2] + c.z, c.y);
 }
 
+/// Columns that are no numbers are not kept.
+void warn_of_words(const ChosenFrame& chosen) {
+  std::string names;
+  for (std::size_t k = 0; k < chosen.frame.names.size(); ++k)
+    if (!chosen.frame.is_readable(k))
+      names += (names.empty() ? "" : ", ") + chosen.frame.names[k];
+  if (!names.empty())
+    report_warning(fmt::format("{}: not all values are numbers, so the .dump of --per-particle is "
+                               "without: {}",
+                               chosen.run, names),
+                   chosen.run + " without " + names);
+}
+
 std::string dump_text(const ChosenFrame& chosen, const std::vector<ParticleValues>& columns) {
   const Frame& frame = chosen.frame;
   if (chosen.set.particles.size() != frame.rows)
     throw InputError("--per-particle: bodies take several rows of this dump: choose a name that "
                      "ends in .csv");
+  warn_of_words(chosen);
   std::vector<std::size_t> kept; // columns of numbers
-  std::string text =
+  std::string text = frame.units.empty() ? "" : "ITEM: UNITS\n" + frame.units + "\n";
+  if (frame.time)
+    text += fmt::format("ITEM: TIME\n{}\n", *frame.time);
+  text +=
       fmt::format("ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\n", frame.timestep, frame.rows) +
-      box_text(frame.box);
+      box_text(chosen.set.box);
   text += "ITEM: ATOMS";
   for (std::size_t k = 0; k < frame.names.size(); ++k)
     if (frame.is_readable(k)) {

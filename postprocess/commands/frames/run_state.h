@@ -2,8 +2,14 @@
 #pragma once
 
 #include "frame_loop.h"
+#include "run_log.h"
 
 namespace ellipsoid::post {
+
+/// The log beside a dump, or an empty string. Warns where there are several.
+std::string log_file_beside(const std::string& dump);
+/// What it says; null where there is none.
+const RunLog* log_of(const ChosenFrame& chosen);
 
 /// Whether the run of a frame came to its end, by the log beside the dump: true, false, or
 /// "unknown" where there is no log. Warns of a run that did not.

@@ -1,6 +1,11 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "output_options.h"
 
+#include "messages.h"
+
+#include <fmt/format.h>
+#include <utility>
+
 namespace ellipsoid::post {
 
 void add_table_file_options(CLI::App& command, OutputOptions& options) {
@@ -20,6 +25,12 @@ bool prints_text(const OutputOptions& options) {
 }
 
 void write_table(const OutputOptions& options, const Table& table) {
+  if (table.header().empty()) {
+    for (const auto& [option, path] : {std::pair("--csv", options.csv), {"--json", options.json}})
+      if (!path.empty())
+        report_error(fmt::format("{} {}: not written, there is no row", option, path));
+    return;
+  }
   if (prints_text(options) && !table.rows.empty())
     write_text("-", as_text(table));
   if (!options.csv.empty())

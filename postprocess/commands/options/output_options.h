@@ -23,7 +23,8 @@ void add_output_options(CLI::App& command, OutputOptions& options);
 /// Whether tables for people go to standard output.
 bool prints_text(const OutputOptions& options);
 
-/// Writes a table as the options ask: text on standard output, CSV, JSON.
+/// Writes a table as the options ask: text on standard output, CSV, JSON. One that has neither rows
+/// nor columns is written to no file, with a message.
 void write_table(const OutputOptions& options, const Table& table);
 
 } // namespace ellipsoid::post

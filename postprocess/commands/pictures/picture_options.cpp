@@ -1,10 +1,13 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "picture_options.h"
 
+#include "contacts.h"
 #include "frame_loop.h"
+#include "messages.h"
 #include "option_checks.h"
-#include "run_log.h"
+#include "run_state.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace ellipsoid::post {
@@ -30,13 +33,33 @@ std::string film_name_problem(const FrameOptions& frames, const std::string& nam
              : "";
 }
 
+int checked_code(int code, const PictureNames& names) {
+  if (code != exit_good || names.has_given())
+    return code;
+  report_error("there is no picture: no frame holds particles");
+  return exit_bad_data;
+}
+
+void warn_of_empty_view(const std::string& run, const ParticleSet& set, const Box& view,
+                        std::size_t axes) {
+  const auto is_seen = [&](const Particle& p) {
+    const double centre[] = {p.centre.x, p.centre.y, p.centre.z}, reach = bounding_radius(set, p);
+    for (std::size_t k = 0; k < axes; ++k)
+      if (centre[k] + reach < view.lower[k] || centre[k] - reach > view.upper[k])
+        return false;
+    return true;
+  };
+  if (std::none_of(set.particles.begin(), set.particles.end(), is_seen))
+    report_warning(run + ": no particle lies in --view", "view of " + run);
+}
+
 namespace {
 
 /// Time of a frame (s): of the file, or of its step and the log beside it.
 std::optional<double> time_of(const ChosenFrame& chosen) {
   if (chosen.frame.time)
     return chosen.frame.time;
-  const RunLog* log = run_log_of(chosen.frame.location.file);
+  const RunLog* log = log_of(chosen);
   if (!log || !log->time_step)
     return std::nullopt;
   return *log->time_step * static_cast<double>(chosen.frame.timestep);

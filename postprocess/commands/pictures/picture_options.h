@@ -20,6 +20,7 @@ class PictureNames {
   explicit PictureNames(std::string pattern) : pattern_(std::move(pattern)) {}
   /// Throws InputError for a name that has been given already: nothing is overwritten.
   std::string next(const ChosenFrame& chosen);
+  bool has_given() const { return !given_.empty(); }
 
  private:
   std::string pattern_;
@@ -28,6 +29,13 @@ class PictureNames {
 
 /// A message for a name without an asterisk for all frames of a run, or nothing.
 std::string film_name_problem(const FrameOptions& frames, const std::string& name);
+
+/// The exit code of a command that made pictures of all its frames: an error if there was none.
+int checked_code(int code, const PictureNames& names);
+
+/// Warns where --view shows no particle. @param[in] axes 2: x and y count, 3: z too
+void warn_of_empty_view(const std::string& run, const ParticleSet& set, const Box& view,
+                        std::size_t axes);
 
 /// Words above a picture that has no other title.
 std::string frame_title(const ChosenFrame& chosen);

@@ -2,7 +2,7 @@
 #include "run_surfaces.h"
 
 #include "messages.h"
-#include "run_log.h"
+#include "run_state.h"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -44,7 +44,7 @@ RunSurfaces run_surfaces(const RunSurfaceOptions& options, const std::string& du
   RunSurfaces surfaces;
   for (const std::string& mesh : options.meshes)
     surfaces.meshes.push_back({name_of(mesh), read_stl(mesh)});
-  const std::string log = options.log.empty() ? log_beside(dump) : options.log;
+  const std::string log = options.log.empty() ? log_file_beside(dump) : options.log;
   if (without_log || log.empty())
     return surfaces;
   const RunWalls walls = read_run_walls(log);

@@ -4,11 +4,20 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <set>
+#include <string>
 
 namespace ellipsoid::post {
 namespace {
 
 std::int64_t whole(std::size_t n) { return static_cast<std::int64_t>(n); }
+
+/// Spheres of an ellipsoid, or any others (clumps, the host's bodies), are two kinds.
+std::string surface_of(const Particle& p) {
+  if (p.is_smooth())
+    return "smooth";
+  return p.is_host_body || p.moments_per_mass.x > 0.0 ? "clump" : "multisphere";
+}
 
 } // namespace
 
@@ -24,16 +33,15 @@ void append_pile(Row& row, const ParticleSet& set, const PileBody& pile,
 }
 
 void append_surface(Row& row, const ParticleSet& set) {
-  std::size_t smooth = 0, fewest = 0, most = 0;
+  std::size_t fewest = 0, most = 0;
+  std::set<std::string> words;
   for (const Particle& p : set.particles) {
-    smooth += p.is_smooth() ? 1 : 0;
+    words.insert(surface_of(p));
     most = std::max(most, p.sphere_count);
     if (!p.is_smooth())
       fewest = fewest == 0 ? p.sphere_count : std::min(fewest, p.sphere_count);
   }
-  const bool is_mixed = smooth > 0 && smooth < set.particles.size();
-  const std::string word = is_mixed ? "mixed" : most > 0 ? "multisphere" : "smooth";
-  row.push_back({"surface", "surface", "", word});
+  row.push_back({"surface", "surface", "", words.size() == 1 ? *words.begin() : "mixed"});
   Value number;
   if (most > 0)
     number = fewest == most ? Value(whole(most)) : Value(fmt::format("{} to {}", fewest, most));

@@ -11,7 +11,8 @@
 
 namespace ellipsoid::post {
 
-/// "smooth", "multisphere" or "mixed", and the number of sub-spheres: the groups of summaries.
+/// "smooth", "multisphere" (spheres for an ellipsoid), "clump" (any others) or "mixed", and the
+/// number of sub-spheres: the groups of summaries.
 void append_surface(Row& row, const ParticleSet& set);
 void append_pile(Row& row, const ParticleSet& set, const PileBody& pile,
                  const PileOptions& options);

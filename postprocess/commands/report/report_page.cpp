@@ -117,6 +117,8 @@ Row measures_of_pile(const ReportedRun& run) { return run.pile ? run.measures : 
 /// The figures that these runs can fill.
 std::string figures_of(const Table& piles, PaperPoints points) {
   std::string html;
+  if (piles.rows.empty())
+    return html;
   for (const int number : {12, 13, 15}) {
     try {
       const auto charts = figure(number, piles, 2.7 / 1.15, points);
@@ -151,8 +153,11 @@ void append_piles(std::vector<HtmlSection>& sections, const std::vector<Reported
     compared = html_table(table, "The paper's values and those of the runs with its parameters");
   sections.push_back({"Compared with the paper", compared + differences_of(runs, names)});
   const bool all_same = same.size() == piles.rows.size();
+  const std::string left_out = left_out_of_figures(piles);
   sections.push_back(
-      {"Figures", figures_of(piles, all_same ? PaperPoints::shown : PaperPoints::hidden)});
+      {"Figures", (left_out.empty() ? "" : paragraph(left_out + ".")) +
+                      figures_of(drawn_in_figures(piles),
+                                 all_same ? PaperPoints::shown : PaperPoints::hidden)});
 }
 
 /// Tables, curves and maps of any columns of CSV files, as other commands write them.

@@ -71,7 +71,7 @@ ReportedRun reported(const ReportOptions& options, const ChosenFrame& chosen) {
     run.picture = picture_in_space(turned_upright(chosen.set, up_direction("", chosen).axis),
                                    run.title, count_of_runs(options.frames));
   }
-  if (const RunLog* log = run_log_of(chosen.frame.location.file)) {
+  if (const RunLog* log = log_of(chosen)) {
     run.log = log_row(chosen.run, *log);
     if (is_pile)
       run.differences = differences_from_paper(*log);

@@ -1,0 +1,181 @@
+# Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+"""Files that are odd but legal, and such as cannot be: each gives the values of the plain file, or one line that says what is wrong.
+
+Dumps that go on after a restart, particles that are away for a while, columns that come twice, boxes that cannot be, logs that do not
+tell gravity or lie beside each other, pictures of nothing."""
+import csv
+import io
+import math
+import os
+
+from _synthetic import COLUMNS, frame_text, json_of, particle, post, rows_of, write
+
+
+def refused(*arguments, words):
+    out, error = post(*arguments, expect=1)
+    assert out == "" and error.count("\n") == 1 and all(w in error for w in words), (arguments, out, error)
+
+
+def values(text):
+    rows = list(csv.DictReader(io.StringIO(text)))
+    for row in rows:
+        row.pop("run")
+    return rows
+
+
+def check_line_ends():
+    """Windows line ends, blanks and tabs, no last line end: the same values."""
+    text = frame_text(100, [particle(k + 1, 3e-3 * k, 0.01, speed=0.1) for k in range(5)])
+    plain = values(post("energy", write("plain.dump", text), "--csv", "-")[0])
+    for name, other in (("ends", text.replace("\n", "\r\n")), ("blanks", text.replace("\n", "  \n")), ("none", text[:-1]),
+                        ("tabs", "\n".join(line if line.startswith("ITEM") else line.replace(" ", "\t") for line in text.splitlines()))):
+        with open(name + ".dump", "w", newline="", encoding="ascii") as file:
+            file.write(other)
+        assert values(post("energy", name + ".dump", "--csv", "-")[0]) == plain, name
+
+
+def check_restarts():
+    """A run that was resumed from step 100 wrote 100 and 200 twice, the second time elsewhere."""
+    frame = lambda step, speed: frame_text(step, [particle(1, 0.0, 0.01, speed=speed), particle(2, 0.01, 0.01)])
+    name = write("resumed.dump", "".join(frame(*s) for s in ((0, 0.1), (100, 0.2), (200, 0.3), (100, 0.2), (200, 0.4), (300, 0.5))))
+    _, error = post("energy", name, "--frame", 200)
+    assert "several frames are of time step 200: the first one is taken" in error, error
+    (row,) = json_of("energy", name, "--frame", 200)
+    assert abs(row["translation_J"] - 0.5 * 2e-5 * 0.3 ** 2) < 1e-18
+    assert "frames are" not in post("energy", name, "--frame", 0)[1].replace("frames are repeated", "")
+    assert "in the order of time" in post("trajectory", name, expect=1)[1]
+    # what is broken behind the frame that was asked for does not matter
+    assert "several" not in post("energy", write("cut.dump", frame(0, 0.1) + frame(100, 0.2) + frame(200, 0.3)[:-30]), "--frame", 100)[1]
+    post("energy", "cut.dump", "--frame", 200, expect=1)
+
+
+def check_absence():
+    """A particle that is away in one frame: its ways before and after are not joined."""
+    place = lambda k, step: particle(k, 3e-3 * k + 1e-5 * step * k, 0.01)
+    frames = ((0, (1, 2, 3)), (100, (1, 2, 3)), (200, (1, 2)), (300, (1, 2, 3)), (400, (1, 2, 3)))
+    name = write("away.dump", "".join(frame_text(s, [place(k, s) for k in ids]) for s, ids in frames))
+    for origins in (1, 2, 5):
+        rows = json_of("trajectory", name, "--origins", origins)
+        for row in rows:
+            lag, squares = row["lag_frames"], []
+            for begin in range(min(origins, len(frames) - lag)):
+                for k in (1, 2, 3):
+                    if all(k in frames[n][1] for n in range(begin, begin + lag + 1)):
+                        squares.append((1e-5 * 100 * lag * k) ** 2)
+            assert row["pairs"] == len(squares), (origins, row, len(squares))
+            mean = sum(squares) / len(squares)
+            assert abs(row["msd_m2"] - mean) <= 1e-9 * mean, (origins, row, mean)
+
+
+def check_columns():
+    """Which of two columns of one name is meant is not known; others may come twice."""
+    rows = [dict(particle(k + 1, 3e-3 * k, 0.01), extra=1.0) for k in range(3)]
+    twice = lambda column: write("twice.dump", frame_text(1, rows, [*COLUMNS, "extra", column]))
+    for column, command in (("mass", "energy"), ("x", "contacts"), ("shapey", "contacts"), ("quat2", "orientation"), ("id", "energy"),
+                            ("f_subspheres", "contacts"), ("vx", "energy")):
+        refused(command, twice(column), words=(f'one column "{column}"',))
+    post("energy", twice("extra"))
+    refused("render3d", "twice.dump", "-o", "x.png", "--colour", "extra", words=('one column "extra"',))
+    refused("energy", "twice.dump", "--column", "mass=extra", words=('one column "extra"',))
+
+
+def check_boxes():
+    text = frame_text(1, [particle(k + 1, 3e-3 * k, 0.01) for k in range(3)])
+    bounds = "mm mm ff\n0 0.5\n-0.005 0.2\n-0.01 0.01"
+    box = lambda new: write("box.dump", text.replace(bounds, new))
+    for words in ("pf ff ff", "xx ff ff", "pp pp", "p f f", "pp pp pp pp"):
+        refused("contacts", box(bounds.replace("mm mm ff", words)), words=("sides",))
+    refused("contacts", box(bounds.replace("0 0.5", "0.5 0")), words=("lower bound", "for x"))
+    refused("contacts", box("xy xz yz pp pp pp\n0 0.5 0.6\n-1 1 0\n-1 1 0"), words=("tilts", "for x"))
+    post("contacts", box(bounds.replace("mm mm ff", "").replace(" \n", "\n", 1)))  # old files do not say it
+    tilted = "xy xz yz pp pp ff\n-0.4 1.4 0.4\n-1 1 0\n-1 1 -0.4"
+    post("contacts", box(tilted.replace("-0.4 1.4 0.4", "0 1.4 0.4").replace("-1 1 -0.4", "-1 1 0")))
+
+
+def logged(folder, *logs):
+    os.makedirs(folder, exist_ok=True)
+    for k, text in enumerate(logs):
+        write(f"{folder}/log.{k}", text)
+    return write(f"{folder}/one.dump", frame_text(600, [particle(1, 0.0, 0.01), dict(particle(2, 0.0, 0.05), z=0.03)]))
+
+
+def check_logs():
+    head, tail = "timestep 1e-5\n", "run 600\nStep Atoms\n0 2\n600 2\n"
+    fix = "fix g all gravity 9.81 "
+    s = math.sin(math.radians(26))
+    for words, expected in (("vector 0.0 0.0 -2.0", (0, 0, -9.81)), ("chute 26.0", (9.81 * s, 0, -9.81 * math.cos(math.radians(26)))),
+                            ("spherical 90.0 180.0", (0, 0, -9.81)), ("spherical 90.0 90.0", (0, 9.81, 0))):
+        (row,) = json_of("energy", logged("told", head + fix + words + "\n" + tail))
+        assert row["gravity_from"] == "log"
+        assert all(abs(row[f"gravity_{a}_m_per_s2"] - e) < 1e-9 for a, e in zip("xyz", expected)), (words, row)
+    name = logged("varied", head + "fix g all gravity v_pull vector 0.0 0.0 -1.0\n" + tail)
+    refused("energy", name, words=("v_pull", "--gravity"))
+    refused("bed", name, "--box", "-1", 1, "-1", 1, "-1", 1, words=("v_pull", "--up"))
+    post("bed", name, "--up", "z", "--box", "-1", 1, "-1", 1, "-1", 1)
+    (row,) = json_of("energy", name, "--gravity", 0, 0, -1)
+    assert row["gravity_from"] == "option"
+    # a variable's name comes first, its value in the next line
+    (row,) = json_of("energy", logged("named", head + "fix g all gravity ${g} vector 0.0 0.0 -1.0\n" + fix.replace("9.81", "5.0")
+                                      + "vector 0.0 0.0 -1.0\n" + tail))
+    assert row["gravity_z_m_per_s2"] == -5.0
+    (row,) = json_of("energy", logged("lifted", head + fix + "vector 0.0 0.0 -1.0\nunfix g\n" + fix.replace("9.81", "1.0").replace(" g ", " h ")
+                                      + "vector 0.0 -1.0 0.0\n" + tail))
+    assert (row["gravity_y_m_per_s2"], row["gravity_z_m_per_s2"]) == (-1.0, 0.0)
+    # several logs: the first one, and this is said
+    _, error = post("energy", logged("several", head + fix + "vector 0.0 0.0 -1.0\n" + tail, head + fix + "vector 0.0 -1.0 0.0\n" + tail))
+    assert error.count("several logs") == 1 and "several/log.0 is taken" in error and "several/log.1" in error, error
+
+
+def check_forced_ends():
+    """A run that was killed at step 300 of 1000, and its log as the resumed run goes on with it."""
+    killed = "timestep 1e-5\nrun 1000\nStep Atoms\n0 2\n300 2\n"
+    resumed = "LIGGGHTS (Version LIGGGHTS-PUBLIC)\nread_restart a.restart\nrun 300\nStep Atoms\n300 2\n600 2\nLoop time of 1 on 1 procs\n"
+    for folder, log, is_complete in (("killed", killed, False), ("resumed", killed + resumed, True),
+                                     ("killed_again", killed + resumed.replace("run 300", "run 900"), False)):
+        _, error = post("pile", logged(folder, log), "--no-wall", "--section", 0.0, expect=None)
+        assert ("the run is not complete" in error) != is_complete, (folder, error)
+
+
+def title(folder, log):
+    post("render3d", logged(folder, log), "-o", "title.svg", "--width", 300, "--height", 200)
+    with open("title.svg", encoding="utf8") as file:
+        text = file.read()
+    return "t = 0.006 s" in text, "time step 600" in text
+
+
+def check_times():
+    """Seconds above a picture only where all steps had one length."""
+    run = "run 600\nStep Atoms\n0 2\n600 2\nLoop time of 1 on 1 procs\n"
+    assert title("even", "timestep 1e-5\n" + run) == (True, False)
+    assert title("again", "timestep 1e-5\n" + run + "timestep 1e-5\n" + run) == (True, False)
+    for words in ("timestep 2e-5\n" + run + "timestep 1e-5\n", "timestep 1e-5\nreset_timestep 0\n", "read_restart a.restart\ntimestep 1e-5\n",
+                  "timestep 1e-5\nfix t all dt/reset 10 1e-6 1e-5 0.01\n"):
+        assert title("uneven", words + run) == (False, True), words
+
+
+def check_pictures():
+    name = write("row.dump", frame_text(1, [particle(k + 1, 2e-3 * k, 2e-3) for k in range(3)]))
+    nothing = write("nothing.dump", frame_text(1, []) + frame_text(2, []))
+    for command, more in (("film", ()), ("film", ("--space",)), ("render", ("--frame", "all")), ("render3d", ("--frame", "all"))):
+        _, error = post(command, nothing, *more, "-o", f"{command}_*.png", expect=1)
+        assert "there is no picture" in error, (command, error)
+    assert "no particle lies in --view" in post("render", name, "--view", 1, 2, 1, 2, "-o", "away.svg")[1]
+    assert "--view" not in post("render", name, "--view", 0, 0.01, 0, 0.01, "-o", "there.svg")[1]
+    assert "no particle lies in --view" in post("render3d", name, "--view", 1, 2, 1, 2, 1, 2, "-o", "away.png")[1]
+    assert "--view" not in post("render3d", name, "--view", -0.01, 0.01, -0.01, 0.01, -0.01, 0.01, "-o", "there.png")[1]
+
+
+def main():
+    check_line_ends()
+    check_restarts()
+    check_absence()
+    check_columns()
+    check_boxes()
+    check_logs()
+    check_forced_ends()
+    check_times()
+    check_pictures()
+    assert len(rows_of("energy", "plain.dump")) == 1
+
+
+main()
