@@ -77,6 +77,51 @@ def at_friction(means, name, friction):
     return np.interp(friction, *zip(*smooth))
 
 
+def pile_row(folder):
+    """Angle of repose (deg), porosity and contacts per particle of a pile of piling.in."""
+    with open(folder / "pile.csv", newline="") as stream:
+        measured = list(csv.DictReader(stream))[-1]
+    values = {"subspheres": "", **json.loads((folder / "run.json").read_text())["variables"]}
+    return {**{name: values[name] for name in ("surface", "subspheres", "mu", "seed")},
+            **{name: measured[name] for name in ("repose_angle_deg", "porosity", "zpp")}}
+
+
+def piles_of(folder):
+    if folder != "--kept":
+        return [pile_row(f.parent) for f in sorted(Path(folder).glob("*/run.json"))
+                if json.loads(f.read_text()).get("finished") and (f.parent / "pile.csv").exists()]
+    with open(KEPT / "piles.csv", newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
+def pile_groups(rows):
+    """{(surface, subspheres, "", mu): values (runs, 3)} of angle, porosity and contacts."""
+    groups = {}
+    for row in rows:
+        key = (row["surface"], int(row["subspheres"] or 0), "", float(row["mu"]))
+        groups.setdefault(key, []).append([float(row[n]) for n in ("repose_angle_deg", "porosity", "zpp")])
+    return {key: np.array(values) for key, values in sorted(groups.items()) if len(values) > 1}
+
+
+def print_piles(rows):
+    """Means with twice their standard errors; the friction that a smooth ellipsoid needs more for the same angle, by the
+    lower and the upper end of 95 % of draws."""
+    groups = pile_groups(rows)
+    spread = {key: v.std(axis=0, ddof=1) / np.sqrt(len(v)) for key, v in groups.items()}
+    angles = {key: ({"friction": v[:, 0].mean()}, {"friction": spread[key][0]}, len(v)) for key, v in groups.items()}
+    print("| grains | mu | runs | angle, deg | porosity | contacts | smooth, mu + more: more |\n|---|---|---|---|---|---|---|")
+    for key, v in groups.items():
+        more = "-"
+        if key[0] != "smooth":
+            drawn = friction_of_smooth(angles, v[:, 0].mean(), spread[key][0], np.random.default_rng(20100107)) - key[3]
+            highest = max(k[3] for k in groups if k[0] == "smooth") - key[3]
+            low, high = np.sort(np.where(np.isnan(drawn), np.inf, drawn))[[int(0.025 * DRAWS), int(0.975 * DRAWS)]]
+            more = f"{low:+.2f} to " + (f"more than {highest:+.2f}" if np.isinf(high) else f"{high:+.2f}")
+        name = "smooth" if key[0] == "smooth" else f"N = {key[1]}"
+        print(f"| {name} | {key[3]:g} | {len(v)} | " + " | ".join(f"{m:.{d}f} +- {2 * e:.{d}f}" for m, e, d in zip(
+            v.mean(axis=0), spread[key], (1, 3, 2))) + f" | {more} |")
+
+
 def outline_of(tools, subspheres):
     """Measures of the template's outline, a/b = 2.35."""
     text = subprocess.run([tools, "template", "--aspect", "2.35", "--subspheres", str(subspheres), "--csv", "-"],
@@ -145,6 +190,8 @@ def main(folder):
     found = equivalent_rows(means, tools)
     print_tables(means, found)
     if folder == "--kept":
+        print()
+        print_piles(piles_of(folder))
         return
     out = Path(folder)
     write_rows(out / "runs.csv", rows)
@@ -156,4 +203,8 @@ def main(folder):
 
 
 if __name__ == "__main__":
-    main(sys.argv[1])
+    if sys.argv[2:] == ["--piles"]:
+        write_rows(Path(sys.argv[1]) / "piles.csv", piles_of(sys.argv[1]))
+        print_piles(piles_of(sys.argv[1]))
+    else:
+        main(sys.argv[1])
