@@ -9,10 +9,11 @@
 # Afterwards `make auto`, `make mpi` or any other of the host's targets, in TREE/src, gives an engine
 # with the styles of this package. What is put there:
 #   src/*.h, *.cpp            the adapters, and the sources of the kernel
-#   src/liggghts_ellipsoid/   the headers of the kernel, and the list of all these files
+#   src/liggghts_ellipsoid/   the headers of the kernel, the patches, and the list of all these files
 #   src/Makefile.package      flags that this package needs, in front of PKG_INC
 #   src/style_contact_model_user.whitelist   the combinations of contact models of this package
-# and the patches of patches/apply.sh. A file of the tree that is in the way, or one of these files
+# and the changes by patches/apply.sh. After an update of this package, patches that are others now are taken
+# out by the ones that were kept in the tree, before the new ones go in. A file of the tree that is in the way, or one of these files
 # that was changed since, is left alone and named.
 set -euo pipefail
 
@@ -84,7 +85,6 @@ copy_files() {
 remove_files() {
   local old
   local -a listed=()
-  [[ -f $list ]] || fail "'$tree' has nothing of this package: $list is missing"
   mapfile -t listed < <(cut -c 67- "$list")
   for old in "${listed[@]}"; do
     if [[ ! -e $src/$old ]]; then
@@ -98,6 +98,41 @@ remove_files() {
   rm "$list"
   find "$src/$own_folder" -depth -type d -empty -delete
   echo "removed: ${#listed[@]} files from $src"
+}
+
+# kept_series_differs: is the tree patched by another series than this package's?
+kept_series_differs() {
+  local patch
+  [[ -d $kept ]] || return 1
+  for patch in "$package"/patches/*.patch "$kept"/*.patch; do
+    cmp -s "$package/patches/${patch##*/}" "$kept/${patch##*/}" || return 0
+  done
+  return 1
+}
+
+# apply_patches: those of an earlier version go out first, and come back where the new ones do not fit
+apply_patches() {
+  local differs=no
+  if kept_series_differs; then
+    differs=yes
+    bash "$kept/apply.sh" revert "$tree" >/dev/null
+    echo "reverted: the patches of an earlier version of this package"
+  fi
+  if ! bash "$package/patches/apply.sh" apply "$tree" | grep -v '^host: '; then
+    [[ $differs == no ]] || bash "$kept/apply.sh" apply "$tree" >/dev/null
+    exit 1
+  fi
+  rm -rf "$kept"
+  mkdir -p "$kept"
+  cp "$package/patches/apply.sh" "$package"/patches/*.patch "$kept"
+}
+
+# revert_patches: by the series that is in the tree
+revert_patches() {
+  local series=$package/patches
+  [[ ! -d $kept ]] || series=$kept
+  bash "$series/apply.sh" revert "$tree" | grep -v '^host: \|^not in: ' || true
+  rm -rf "$kept"
 }
 
 add_flags() {
@@ -145,10 +180,12 @@ fi
 tree=${1%/}
 src=$tree/src
 list=$src/$own_folder/files.txt
+kept=$src/$own_folder/patches
 if [[ $remove == yes ]]; then
   bash "$package/patches/apply.sh" check "$tree"
+  [[ -f $list ]] || fail "'$tree' has nothing of this package: $list is missing"
+  revert_patches
   remove_files
-  bash "$package/patches/apply.sh" revert "$tree" | grep -v '^host: \|^not in: ' || true
   remove_flags
   remove_models
 else
@@ -157,7 +194,7 @@ else
     fail "'$src' has neither Makefile.package nor Makefile.package.empty: is it the host's whole src/?"
   mapfile -t places < <(list_files | cut -f 2)
   check_room "${places[@]}"
-  bash "$package/patches/apply.sh" apply "$tree" | grep -v '^host: '
+  apply_patches
   copy_files
   add_flags
   add_models

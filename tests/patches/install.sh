@@ -58,6 +58,30 @@ same once tree "a refused call changed something"
 expect_output "^kept, it was changed: .*fix_insert_drop.cpp" "${install[@]}" --remove tree
 [[ -f tree/src/fix_insert_drop.cpp && ! -e tree/src/pair_gran_ellipsoid.cpp ]] || fail "wrong files are left"
 
+echo "-- an update in which a patch has other lines"
+fresh tree
+rm -rf before earlier && cp -r tree before
+mkdir earlier && cp -r "$ELLIPSOID_SOURCE/patches" "$ELLIPSOID_SOURCE/src_liggghts" earlier
+sed -i '/^+++/!s|^+\(.*[;{]\)$|+\1 // of an earlier version|' earlier/patches/0001-*.patch
+bash earlier/patches/install.sh tree >/dev/null
+grep -rq "of an earlier version" tree/src/utils.h || fail "the earlier version is not in"
+expect_output "^reverted: the patches of an earlier version" "${install[@]}" tree
+! grep -q "of an earlier version" tree/src/utils.h || fail "lines of the earlier version are left"
+fresh once
+"${install[@]}" once >/dev/null
+same once tree "an update is not the same as the new version alone"
+bash earlier/patches/install.sh tree >/dev/null
+expect_output "^removed: " "${install[@]}" --remove tree
+same before tree "taking back an earlier version does not give the tree back"
+
+echo "-- an update that does not fit leaves the earlier version"
+bash earlier/patches/install.sh tree >/dev/null
+rm -rf once && cp -r tree once
+rm -rf later && cp -r earlier later
+sed -i '/^---/!s|^-|-unknown |' later/patches/0002-finish-pointer-comparison-compiles.patch
+expect_refusal "0002.* does not fit" bash later/patches/install.sh tree
+same once tree "a refused update changed something"
+
 echo "-- refused"
 fresh tree
 echo "// of somebody else" >tree/src/whole_files.h
