@@ -100,10 +100,9 @@ void FixInsertDrop::parse_template(ellipsoid_host::ArgumentReader& reader) {
 int FixInsertDrop::setmask() { return INITIAL_INTEGRATE | PRE_EXCHANGE; }
 
 void FixInsertDrop::init() {
-  for (int k = 0; k < 3; ++k)
-    if (low_[k] < domain->boxlo[k] || high_[k] > domain->boxhi[k])
-      error->fix_error(FLERR, this,
-                       "keyword 'box' reaches out of the simulation box; keep it inside");
+  if (!is_inside_box())
+    error->fix_error(FLERR, this,
+                     "keyword 'box' reaches out of the simulation box; keep it inside");
   follow_time_step(update->ntimestep);
   check_interval();
   schedule();
@@ -189,12 +188,43 @@ void FixInsertDrop::draw(ParticleToInsertEllipsoid& p) const {
 }
 
 bool FixInsertDrop::is_mine(const double* x) const {
+  const bool tilted = domain->triclinic;
+  const double *low = tilted ? domain->sublo_lamda : domain->sublo,
+               *high = tilted ? domain->subhi_lamda : domain->subhi;
+  double place[3] = {x[0], x[1], x[2]};
+  if (tilted)
+    fractions_in_box(x, place);
   for (int k = 0; k < 3; ++k) {
     const bool last = comm->myloc[k] == comm->procgrid[k] - 1;
-    if (x[k] < domain->sublo[k] || (last ? x[k] > domain->subhi[k] : x[k] >= domain->subhi[k]))
+    if (place[k] < low[k] || (last ? place[k] > high[k] : place[k] >= high[k]))
       return false;
   }
   return true;
+}
+
+/// Of a tilted box, those of the image within it along periodic directions.
+void FixInsertDrop::fractions_in_box(const double* x, double* fractions) const {
+  double place[3] = {x[0], x[1], x[2]};
+  domain->x2lamda(place, fractions);
+  for (int k = 0; k < 3; ++k)
+    if (domain->periodicity[k])
+      fractions[k] -= std::floor(fractions[k]);
+}
+
+/// Whether all places are within the simulation box; of a tilted one, where it is not periodic.
+bool FixInsertDrop::is_inside_box() const {
+  bool inside = true;
+  for (int k = 0; k < 3 && !domain->triclinic; ++k)
+    inside = inside && low_[k] >= domain->boxlo[k] && high_[k] <= domain->boxhi[k];
+  for (int corner = 0; corner < 8 && domain->triclinic; ++corner) {
+    const double x[3] = {corner & 1 ? high_[0] : low_[0], corner & 2 ? high_[1] : low_[1],
+                         corner & 4 ? high_[2] : low_[2]};
+    double fractions[3];
+    fractions_in_box(x, fractions);
+    for (const double fraction : fractions)
+      inside = inside && fraction >= 0.0 && fraction <= 1.0;
+  }
+  return inside;
 }
 
 /// Clumps are their spheres, all other particles smooth ellipsoids.

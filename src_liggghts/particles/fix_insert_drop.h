@@ -62,6 +62,8 @@ class FixInsertDrop : public Fix {
   void schedule();
   void draw(ParticleToInsertEllipsoid& particle) const;
   bool is_mine(const double* position) const;
+  void fractions_in_box(const double* x, double* fractions) const;
+  bool is_inside_box() const;
   ellipsoid::SolidBody solid_body(const ellipsoid::Vector3& centre, const double* semiaxes,
                                   const double* quaternion, int spacing) const;
   bool place_is_free(const ParticleToInsertEllipsoid& particle) const;

@@ -25,7 +25,7 @@ import numpy as np
 
 from _random_scene import COLUMNS, CONDUCTIVITY, HOT_WALL, LIST, Scene
 
-SCENES = (2, 3, 5, 6, 9, 17, 23, 24, 26, 52, 54, 55, 700049)
+SCENES = (2, 3, 5, 6, 9, 17, 23, 24, 26, 52, 54, 55, 700049, 800000)
 RELATIVE = 2e-8  # forces and torques, of the largest in the step: Newton's normals, springs over all steps
 LISTED = 1e-7  # contacts: overlap over the smallest semi-axis, point, normal
 TOUCHING = 1e-12  # overlaps below this share of the smallest semi-axis may be found or not

@@ -96,6 +96,33 @@ run {2 * steps}
             touching = (np.abs(vectors(columns, "fx", "fy", "fz")).max(-1) > 0).mean()
             self.assertGreater(touching, 0.05) # collisions are short
 
+    def test_drops_are_the_same_on_any_number_of_ranks(self):
+        """Places that reach across the tilted periodic faces are those of their images within the box."""
+        drop = ("fix grain all particletemplate/ellipsoid 15485863 atom_type 1 density 1340 semiaxes 4e-4 3e-4 3e-4\n"
+                "fix drop all insert/drop seed 3 template grain particles 40 interval 2e-6 "
+                f"box -0.004 {SIDES[0]!r} 0.001 0.017 0.002 0.02 velocity 3 1 -2\n"
+                "fix motion all nve/ellipsoid\n")
+        found = []
+        for ranks in (1, 2, 4):
+            run(prism("smooth", drop + "run 200\n" + dump("drops.dump") + "run 0\n", time_step=1e-6), ranks, name="in.drops")
+            columns = read_dump("drops.dump")[1]
+            self.assertEqual(columns["id"].shape[1], 40)
+            fractions = np.linalg.solve(CELL.T, vectors(columns, *"xyz")[0].T).T
+            self.assertGreaterEqual(fractions.min(), -1e-3)  # between two new lists particles may be out a little
+            self.assertLess(fractions.max(), 1.0 + 1e-3)
+            found.append(np.column_stack([fractions % 1.0, vectors(columns, "vx", "vy", "vz")[0]]))
+        for other in found[1:]:
+            np.testing.assert_allclose(other, found[0], rtol=0, atol=1e-9)
+
+    def test_a_drop_beside_a_tilted_box_is_refused(self):
+        """Along a direction that is not periodic."""
+        setup = Setup(boundary="f f p", pair=PAIRS["smooth"])
+        outcome = run(setup.header() + "region box prism 0 0.02 0 0.02 0 0.02 0 0 0.008 units box\ncreate_box 1 box\n"
+                      + setup.properties() + "fix grain all particletemplate/ellipsoid 15485863 atom_type 1 density 1340 "
+                      "semiaxes 8e-4 5e-4 6e-4\nfix drop all insert/drop seed 3 template grain particles 4 interval 2e-6 "
+                      "box 0.001 0.002 0.001 0.002 0.015 0.016\nfix motion all nve/ellipsoid\nrun 1\n", check=False)
+        self.assertRegex(outcome.text, "ERROR.*keyword 'box' reaches out of the simulation box")
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)
