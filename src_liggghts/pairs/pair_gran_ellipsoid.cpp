@@ -172,22 +172,7 @@ void PairGranEllipsoid::read_settings(int narg, char** arg) {
 void PairGranEllipsoid::init_granular() {
   models_->connect(force->registry);
   forces_->connect(force->registry);
-  tell_of_batches();
-}
-
-void PairGranEllipsoid::tell_of_batches() {
-  const std::string obstacle = forces_->obstacle();
-  const std::string text =
-      obstacle.empty() ? "pair_style gran/ellipsoid: forces of contacts are computed in batches"
-                       : "pair_style gran/ellipsoid: forces of contacts are computed one by one, "
-                         "which takes longer: " +
-                             obstacle;
-  if (text == told_)
-    return;
-  told_ = text;
-  for (FILE* out : {screen, logfile})
-    if (comm->me == 0 && out)
-      fprintf(out, "%s\n", text.c_str());
+  batch_notice_.tell(*lmp, "pair_style gran/ellipsoid", forces_->obstacle());
 }
 
 void PairGranEllipsoid::init_style() {

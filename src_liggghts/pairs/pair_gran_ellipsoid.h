@@ -9,6 +9,7 @@ PairStyle(gran/ellipsoid,PairGranEllipsoid)
 #ifndef LMP_PAIR_GRAN_ELLIPSOID_H
 #define LMP_PAIR_GRAN_ELLIPSOID_H
 
+#include "batch_notice.h"
 #include "contact_counts.h"
 #include "ellipsoid_contact_caller.h"
 #include "host_pair.h"
@@ -93,14 +94,13 @@ class PairGranEllipsoid : public ellipsoid_host::HostPairStyle,
   bool bins_serve_badly_ = false;
   std::string arguments_; // empty: of an older restart file, which does not have them
   bool warned_ = false;
-  std::string told_;      // what was last said of batches
+  LIGGGHTS::ContactModels::BatchNotice batch_notice_;
   int pages_[2] = {0, 0}; // neigh_modify page and one when a run was last set up
 
   void create(int64_t variant);
   void read_settings(int narg, char** arg);
   void check_pages();
   void shorten_lists();
-  void tell_of_batches();
   void warn_of_searches();
   void keep_arguments();
   void keep_history();

@@ -165,7 +165,9 @@ void FixWallGranEllipsoid::init() {
                        "has one contact at a seam by itself: remove 'weighted_wall_formulation' "
                        "from its meshes");
   forces_.models().connect(force->registry, force->nktv2p == 1.0);
-  tell_of_batches();
+  const std::string obstacle = obstacle_to_batches();
+  in_batches_ = obstacle.empty();
+  batch_notice_.tell(*lmp, "fix wall/gran/ellipsoid (id " + std::string(id) + ")", obstacle);
 }
 
 /// Why the forces of this run do not go through batches, or an empty string.
@@ -177,20 +179,6 @@ std::string FixWallGranEllipsoid::obstacle_to_batches() const {
   if (store_force_contact_ || store_force_contact_stress_ || store_sum_normal_force())
     return "what is stored of single contacts does not run in batches";
   return forces_.models().obstacle();
-}
-
-void FixWallGranEllipsoid::tell_of_batches() {
-  const std::string obstacle = obstacle_to_batches();
-  in_batches_ = obstacle.empty();
-  const std::string text =
-      "fix wall/gran/ellipsoid (id " + std::string(id) + "): forces of contacts are computed " +
-      (in_batches_ ? "in batches" : "one by one, which takes longer: " + obstacle);
-  if (text == told_)
-    return;
-  told_ = text;
-  for (FILE* out : {screen, logfile})
-    if (comm->me == 0 && out)
-      fprintf(out, "%s\n", text.c_str());
 }
 
 /// Before the contacts of a step.

@@ -9,6 +9,7 @@ FixStyle(wall/gran/ellipsoid,FixWallGranEllipsoid)
 #ifndef LMP_FIX_WALL_GRAN_ELLIPSOID_H
 #define LMP_FIX_WALL_GRAN_ELLIPSOID_H
 
+#include "batch_notice.h"
 #include "ellipsoid_contact_caller.h"
 #include "has_law.h"
 #include "host_wall.h"
@@ -78,14 +79,13 @@ class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
   std::vector<char> may_touch_; // per owned particle: touched in the last step, or new lists
   ellipsoid_host::WallForces forces_;
   bool in_batches_ = false; // in this step
-  std::string told_;        // of batches, in the last run
+  LCM::BatchNotice batch_notice_;
 
   FixWallGranEllipsoid(class LAMMPS* lmp, int narg, char** arg,
                        const ellipsoid_host::WallCylinder& cylinder);
   template <class Bodies> void choose_finder();
   void choose_laws(const ellipsoid_host::ModelSettings& settings);
   std::string obstacle_to_batches() const;
-  void tell_of_batches();
   void begin_forces();
   void forget_far_contacts();
   ellipsoid::Vector3 primitive_velocity(const ellipsoid::Vector3& point) const;

@@ -1,0 +1,24 @@
+// Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
+#pragma once
+
+#include "lammps.h"
+
+#include <string>
+
+namespace LIGGGHTS {
+namespace ContactModels {
+
+/// Says on the screen and in the log how the forces of contacts are computed: before the first run,
+/// and whenever that has changed.
+class BatchNotice {
+ public:
+  /// @param[in] who      pair style or wall, as messages name it
+  /// @param[in] obstacle why the forces are not computed in batches; empty: they are
+  void tell(const LAMMPS_NS::LAMMPS& lmp, const std::string& who, const std::string& obstacle);
+
+ private:
+  std::string told_;
+};
+
+} // namespace ContactModels
+} // namespace LIGGGHTS
