@@ -68,9 +68,17 @@ const std::map<int64_t, Creator>& compiled_combinations() {
   return table;
 }
 
+/// The number of the surface model: the host packs normal, tangential, cohesion, rolling and
+/// surface model into one number, in this order.
+int surface_of(int64_t variant) {
+  constexpr int bits_per_model = 6, models_before = 4;
+  return static_cast<int>(variant >> (models_before * bits_per_model)) &
+         ((1 << bits_per_model) - 1);
+}
+
 /// Null where the surface is not one of ellipsoids.
 SurfaceContacts* make_contacts(LAMMPS* lmp, PairGranEllipsoid& pair, int64_t variant) {
-  switch ((variant >> 24) & 63) { // as the host packs its models
+  switch (surface_of(variant)) {
   case SURFACE_SMOOTH:
     return new SmoothContacts(lmp, pair);
   case SURFACE_MULTISPHERE:
