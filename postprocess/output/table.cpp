@@ -2,6 +2,7 @@
 #include "table.h"
 
 #include "input_error.h"
+#include "opened_files.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -209,6 +210,10 @@ std::string as_json(const Table& table) {
 }
 
 void write_text(const std::string& path, const std::string& text) {
+  if (path != "-" && has_been_read(path))
+    throw InputError(fmt::format("{}: this file has been read and is not written over: choose "
+                                 "another name for the result",
+                                 path));
   std::FILE* file = path == "-" ? stdout : std::fopen(path.c_str(), "wb");
   if (!file)
     throw InputError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));

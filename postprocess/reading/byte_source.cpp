@@ -3,12 +3,16 @@
 
 #include "compressed_bytes.h"
 #include "input_error.h"
+#include "opened_files.h"
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fmt/format.h>
+#include <mutex>
+#include <set>
 #include <sys/stat.h>
+#include <utility>
 
 namespace ellipsoid::post {
 namespace {
@@ -39,11 +43,39 @@ class PlainFile : public ByteSource {
 
 } // namespace
 
+namespace {
+
+/// Files by device and number.
+using OpenedFiles = std::set<std::pair<dev_t, ino_t>>;
+
+std::pair<OpenedFiles&, std::mutex&> opened_files() {
+  static OpenedFiles files;
+  static std::mutex mutex;
+  return {files, mutex};
+}
+
+} // namespace
+
+bool has_been_read(const std::string& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0)
+    return false;
+  const auto [files, mutex] = opened_files();
+  const std::lock_guard<std::mutex> lock(mutex);
+  return files.count({status.st_dev, status.st_ino}) > 0;
+}
+
 std::unique_ptr<ByteSource> open_bytes(const std::string& path) {
   if (path == "-")
     return decompressed(std::make_unique<PlainFile>(stdin));
   struct stat status {};
-  if (stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode))
+  const bool is_there = stat(path.c_str(), &status) == 0;
+  if (is_there && S_ISREG(status.st_mode)) {
+    const auto [files, mutex] = opened_files();
+    const std::lock_guard<std::mutex> lock(mutex);
+    files.insert({status.st_dev, status.st_ino});
+  }
+  if (is_there && S_ISDIR(status.st_mode))
     throw InputError(fmt::format("{}: is a directory; give the dump files in it", path));
   std::FILE* file = std::fopen(path.c_str(), "rb");
   if (!file)

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <glob.h>
 #include <map>
+#include <set>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -100,6 +101,19 @@ std::string common_name(const Run& run) {
 
 } // namespace
 
+namespace {
+
+/// A run that is named twice would count twice.
+void require_once(const std::vector<Run>& runs) {
+  std::set<std::string> known;
+  for (const Run& run : runs)
+    for (const std::string& file : run.files)
+      if (!known.insert(file).second)
+        throw InputError(file + " is named twice: name each file once");
+}
+
+} // namespace
+
 std::vector<Run> runs_of(const std::vector<std::string>& arguments, RunGrouping grouping) {
   std::vector<Run> runs;
   std::map<std::string, std::size_t> series; // run by pattern
@@ -127,6 +141,7 @@ std::vector<Run> runs_of(const std::vector<std::string>& arguments, RunGrouping 
       }
     }
   }
+  require_once(runs);
   for (Run& run : runs) {
     std::sort(run.files.begin(), run.files.end(), natural_less);
     if (run.files.size() > 1)

@@ -165,6 +165,25 @@ def check_pictures():
     assert "--view" not in post("render3d", name, "--view", -0.01, 0.01, -0.01, 0.01, -0.01, 0.01, "-o", "there.png")[1]
 
 
+def check_results_over_inputs():
+    """What a command has read it does not write over; two results do not share a file; a run does not count twice."""
+    text = frame_text(1, [particle(k + 1, 2e-3 * k, 2e-3) for k in range(3)])
+    name = write("kept.dump", text)
+    os.symlink("kept.dump", "link.dump")
+    post("energy", name, "--csv", "kept.csv", "--quiet")
+    for command in (("energy", name, "--csv", name), ("energy", name, "--json", "./kept.dump"), ("energy", name, "--csv", "link.dump"),
+                    ("coordination", name, "--space", "--per-particle", name), ("contacts", name, "--list", name),
+                    ("summary", "kept.csv", "--group", "run", "--quantity", "translation_J", "--csv", "kept.csv")):
+        before = {file: os.path.getsize(file) for file in ("kept.dump", "kept.csv")}
+        _, error = post(*command, "--quiet", expect=1)
+        assert "has been read and is not written over" in error, (command, error)
+        assert before == {file: os.path.getsize(file) for file in before}, command
+    for where in ("-", "both.txt"):
+        assert "both name" in post("energy", name, "--csv", where, "--json", where, expect=1)[1]
+    for command in (("energy", name, name), ("pile", "kept.dump", "kept.d*p"), ("energy", "--one-run", name, name)):
+        refused(*command, words=("kept.dump is named twice",))
+
+
 def main():
     check_line_ends()
     check_restarts()
@@ -175,6 +194,7 @@ def main():
     check_forced_ends()
     check_times()
     check_pictures()
+    check_results_over_inputs()
     assert len(rows_of("energy", "plain.dump")) == 1
 
 
