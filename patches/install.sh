@@ -137,7 +137,11 @@ revert_patches() {
 
 add_flags() {
   local file=$src/Makefile.package
-  [[ -f $file ]] || cp "$src/Makefile.package.empty" "$file"
+  if [[ ! -f $file ]]; then
+    cp "$src/Makefile.package.empty" "$file"
+    mkdir -p "$src/$own_folder"
+    touch "$new_makefile"
+  fi
   grep -q '^PKG_INC =' "$file" || fail "'$file' has no line 'PKG_INC ='; add one"
   if ! grep -Fq -- "$flags" "$file"; then
     sed -i "s|^PKG_INC =|&\t$flags|" "$file"
@@ -149,7 +153,10 @@ remove_flags() {
   local file=$src/Makefile.package
   [[ -f $file ]] || return 0
   sed -i "s|^PKG_INC =\t$flags|PKG_INC =|" "$file"
-  ! cmp -s "$file" "$src/Makefile.package.empty" || rm "$file"
+  if [[ -e $new_makefile ]]; then
+    rm "$new_makefile"
+    ! cmp -s "$file" "$src/Makefile.package.empty" || rm "$file"
+  fi
 }
 
 # The host reads the list line by line and needs an end of line after the last one.
@@ -181,12 +188,13 @@ tree=${1%/}
 src=$tree/src
 list=$src/$own_folder/files.txt
 kept=$src/$own_folder/patches
+new_makefile=$src/$own_folder/new_makefile_package # there if the tree had no Makefile.package
 if [[ $remove == yes ]]; then
   bash "$package/patches/apply.sh" check "$tree"
   [[ -f $list ]] || fail "'$tree' has nothing of this package: $list is missing"
   revert_patches
-  remove_files
   remove_flags
+  remove_files
   remove_models
 else
   bash "$package/patches/apply.sh" check "$tree"

@@ -44,6 +44,14 @@ grep -q '^PKG_INC =.-std=c++17 .* -I../../lib/poems' tree/src/Makefile.package |
 expect_output "^removed: " "${install[@]}" --remove tree
 same before tree "taking back does not give the user's settings back"
 
+echo "-- a Makefile.package that the tree came with stays"
+fresh tree
+cp tree/src/Makefile.package.empty tree/src/Makefile.package
+rm -rf before && cp -r tree before
+"${install[@]}" tree >/dev/null
+expect_output "^removed: " "${install[@]}" --remove tree
+same before tree "taking back does not give the tree back"
+
 echo "-- a file of an earlier version goes, a changed one is left alone"
 fresh tree
 "${install[@]}" tree >/dev/null

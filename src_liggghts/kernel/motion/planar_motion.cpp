@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 namespace ellipsoid {
 
@@ -18,11 +19,19 @@ struct PlanarStep {
 };
 
 // What is done per body is little: the numbers of its rows are taken two and four at a time.
-using Two = double __attribute__((vector_size(16), aligned(8), may_alias));
-using Four = double __attribute__((vector_size(32), aligned(8), may_alias));
+using Two = double __attribute__((vector_size(16)));
+using Four = double __attribute__((vector_size(32)));
 
-inline Two& two(double* row) { return *reinterpret_cast<Two*>(row); }
-inline Four& four(double* row) { return *reinterpret_cast<Four*>(row); }
+/// Rows begin at any address of a number, vectors do not: compilers make one instruction of the
+/// copy.
+template <class Vector> inline Vector load(const double* row) {
+  Vector v;
+  std::memcpy(&v, row, sizeof v);
+  return v;
+}
+template <class Vector> inline void save(const Vector& v, double* row) {
+  std::memcpy(row, &v, sizeof v);
+}
 
 struct Kicked {
   Two velocity;
@@ -32,13 +41,13 @@ struct Kicked {
 /// Half a step of force and torque. Velocities out of the plane become 0: they would bring forces.
 inline Kicked kick(const PlanarRows& p, std::ptrdiff_t k, double half_step) {
   const double scale = half_step / p.masses[k];
-  const Two velocity = two(p.velocities + 3 * k) + scale * two(p.forces + 3 * k);
+  const Two velocity = load<Two>(p.velocities + 3 * k) + scale * load<Two>(p.forces + 3 * k);
   const double momentum = p.momenta[3 * k + 2] + half_step * p.torques[3 * k + 2];
   const double rate = momentum * p.inverse_inertia[k];
-  two(p.velocities + 3 * k) = velocity;
+  save(velocity, p.velocities + 3 * k);
   p.velocities[3 * k + 2] = 0.0;
   p.momenta[3 * k + 2] = momentum;
-  two(p.omega + 3 * k) = Two{0.0, 0.0};
+  save(Two{0.0, 0.0}, p.omega + 3 * k);
   p.omega[3 * k + 2] = rate;
   return {velocity, rate};
 }
@@ -51,15 +60,15 @@ inline Four sum(const Four& v) {
 
 /// Turns a quaternion about the space z axis by twice `half` (rad).
 inline void turn(double* orientation, double half) {
-  Four& q = four(orientation);
+  const Four q = load<Four>(orientation);
   const Four t =
       q + half * Four{-1.0, -1.0, 1.0, 1.0} * Four{q[3], q[2], q[1], q[0]}; // (1 + half z) q
   const Four excess = sum(t * t) - 1.0;
   constexpr double small = 1e-6; // of most steps: then no root and no division is needed, the first
   if (std::fabs(excess[0]) < small) // term left out, 5/16 excess^3, is far below rounding
-    q = t * (1.0 - excess * (0.5 - 0.375 * excess));
+    save<Four>(t * (1.0 - excess * (0.5 - 0.375 * excess)), orientation);
   else
-    q = t * (1.0 / std::sqrt(1.0 + excess[0]));
+    save<Four>(t * (1.0 / std::sqrt(1.0 + excess[0])), orientation);
 }
 
 inline void start_loop(PlanarStep& s, int count) {
@@ -69,7 +78,8 @@ inline void start_loop(PlanarStep& s, int count) {
     if (!(p.groups[k] & p.group))
       continue;
     const Kicked kicked = kick(p, k, half_step);
-    two(p.centres + 3 * k) += time_step * kicked.velocity;
+    double* const centre = p.centres + 3 * k;
+    save<Two>(load<Two>(centre) + time_step * kicked.velocity, centre);
     turn(p.orientations + 4 * k, 0.5 * time_step * kicked.rate);
   }
 }
@@ -81,8 +91,8 @@ inline void end_loop(PlanarStep& s, int count) {
       continue;
     kick(p, k, half_step);
     p.forces[3 * k + 2] = 0.0;
-    two(p.torques + 3 * k) = Two{0.0, 0.0};
-    two(p.momenta + 3 * k) = Two{0.0, 0.0};
+    save(Two{0.0, 0.0}, p.torques + 3 * k);
+    save(Two{0.0, 0.0}, p.momenta + 3 * k);
   }
 }
 
