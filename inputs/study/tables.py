@@ -97,7 +97,7 @@ def statement_table(runs):
 
 
 def difference_rows(runs):
-    """{key: rows of postprocess/measures/study_values.h}: difference of N from smooth in percent, with 95 %."""
+    """{key: rows of postprocess/measures/templates/study_values.h}: difference of N from smooth in percent, with 95 %."""
     parts = {}
     for key in ("repose_angle_deg", "porosity", "zpp"):
         groups = values(runs, key)

@@ -10,7 +10,8 @@ ROOT = pathlib.Path(os.environ["ELLIPSOID_SOURCE"])
 
 PAGES = [".github/CONTRIBUTING.md", "src_liggghts/doc/method.md", "src_liggghts/doc/one_time_step.md",
          "src_liggghts/doc/add_a_contact_law.md", "tests/bench/README.md", "src_liggghts/README.md",
-         "src_liggghts/kernel/README.md", "postprocess/README.md", "postprocess/commands/README.md",
+         "src_liggghts/kernel/README.md", "postprocess/README.md", "postprocess/measures/README.md",
+         "postprocess/commands/README.md",
          "tests/README.md", "patches/README.md"]
 
 # what is the host's, and names that stand for many: NAME_command.cpp, NNNN-name.HOST.patch
