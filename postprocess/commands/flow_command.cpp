@@ -170,6 +170,7 @@ class FlowRun {
   /// After the last frame: the rows of the whole run.
   /// Throws InputError if it has no two frames.
   void append_totals(Table& table) const {
+    warn_of_long_steps(name_, sum_.long_steps);
     if (frames_ == 1)
       throw InputError(name_ + ": expected at least two frames, found one: flow is what happens "
                                "between them");
@@ -265,6 +266,7 @@ class FlowRun {
     sum_.mass_backward += step.mass_backward;
     sum_.appeared += step.appeared;
     sum_.vanished += step.vanished;
+    sum_.long_steps += step.long_steps;
     if (sum_.volume_share_mass && step.volume_share_mass)
       *sum_.volume_share_mass += *step.volume_share_mass;
     else

@@ -169,6 +169,7 @@ int run(const TrajectoryOptions& options) {
   });
   Table table{"Trajectories", {}};
   for (const FollowedRun& followed : runs) {
+    warn_of_long_steps(followed.name, followed.trajectories.long_steps());
     if (options.origins > 1)
       require_even_frames(followed);
     for (const auto& entry : followed.trajectories.sums())

@@ -39,7 +39,7 @@ def distance_to_ellipsoid(points, axes):
     axes = np.asarray(axes, float)
     outside = ((points / axes) ** 2).sum(axis=1) > 1
     low, high = np.zeros(len(points)), np.linalg.norm(points, axis=1) * axes.max()
-    for _ in range(80):  # sum of (a x / (a^2 + t))^2 = 1
+    for _ in range(48):  # sum of (a x / (a^2 + t))^2 = 1
         t = 0.5 * (low + high)
         is_far = ((axes * points / (axes ** 2 + t[:, None])) ** 2).sum(axis=1) > 1
         low, high = np.where(is_far, t, low), np.where(is_far, high, t)

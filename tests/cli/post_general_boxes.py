@@ -113,7 +113,7 @@ def check_per_particle(rng, box):
 def check_cells(rng, box):
     """Each point belongs to the body whose surface is nearest."""
     scene = Scene(rng, *box, 14, (0.08, 0.16), True)
-    points = scene.low + rng.uniform(0, 1, (4000, 3)) @ scene.edges
+    points = scene.low + rng.uniform(0, 1, (2500, 3)) @ scene.edges
     distances = np.empty((len(scene.at), len(points)))
     for k, place in enumerate(scene.at):
         images = [distance_to_ellipsoid((points - place - s) @ scene.turns[k], scene.axes[k]) for s in scene.shifts]
@@ -136,7 +136,7 @@ def check_bed_and_pairs(rng, box):
     scene = Scene(rng, *box, 25, (0.08, 0.2), False)
     name = write("bed.dump", scene.text("xs"))
     low, high = scene.low + np.array((-0.2, 0.1, 0.3)), scene.low + np.array((0.5, 0.8, 0.9))
-    points = rng.uniform(low, high, (12000, 3))
+    points = rng.uniform(low, high, (8000, 3))
     inside = np.zeros(len(points), bool)
     for k, place in enumerate(scene.at):
         for shift in shifts_of(scene.edges, most=2):

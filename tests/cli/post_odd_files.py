@@ -67,6 +67,18 @@ def check_absence():
             assert abs(row["msd_m2"] - mean) <= 1e-9 * mean, (origins, row, mean)
 
 
+def check_long_steps():
+    """Ways that may be longer than half of the box: this is said; others are not."""
+    for share, is_said in ((0.3, False), (0.45, True), (0.8, False)):  # 0.8 looks like 0.2 backwards: nobody can know
+        frames = ""
+        for n in range(4):
+            text = frame_text(n, [particle(1, (0.1 + share * 0.5 * n) % 0.5, 0.1)])
+            frames += text.replace("mm mm ff", "pp ff ff")
+        name = write("steps.dump", frames)
+        for command in (("trajectory", name), ("flow", name, "--through", 0, 0, 0, 0, 1, 0)):
+            assert ("3 steps of particles" in post(*command)[1]) == is_said, (share, command)
+
+
 def check_columns():
     """Which of two columns of one name is meant is not known; others may come twice."""
     rows = [dict(particle(k + 1, 3e-3 * k, 0.01), extra=1.0) for k in range(3)]
@@ -188,6 +200,7 @@ def main():
     check_line_ends()
     check_restarts()
     check_absence()
+    check_long_steps()
     check_columns()
     check_boxes()
     check_logs()

@@ -3,9 +3,11 @@
 
 #include "frame_loop.h"
 #include "input_error.h"
+#include "messages.h"
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace ellipsoid::post {
 
@@ -27,5 +29,14 @@ class FrameClock {
  private:
   std::optional<std::int64_t> last_; ///< time step
 };
+
+/// Warns of a run whose frames may be too far apart. @param[in] count of long steps
+inline void warn_of_long_steps(const std::string& run, std::size_t count) {
+  if (count > 0)
+    report_warning(run + ": " + std::to_string(count) +
+                       " steps of particles between frames are longer than 0.4 of an edge that "
+                       "repeats: if one was longer than half, its way is not known",
+                   "long steps of " + run);
+}
 
 } // namespace ellipsoid::post

@@ -3,6 +3,7 @@
 
 #include "bed.h"
 #include "body_properties.h"
+#include "long_steps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -144,6 +145,7 @@ std::vector<GateCrossing> plane_crossings(const FlowGate& gate, const Vector3& b
 void FlowThrough::move(const Particle& particle, const State& before, const State& now, double mass,
                        const PeriodicCell& cell, FlowStep& step) const {
   const Vector3 straight = now.centre - before.centre, way = cell.nearest(straight);
+  step.long_steps += is_nearly_half_an_edge(cell, way) ? 1 : 0;
   const Vector3 around = straight - way; // the box, from the image at the start to that at the end
   std::vector<GateCrossing> passed;
   if (!gate_.is_bounded())

@@ -33,6 +33,7 @@ struct FlowStep {
   /// a body came around the box.
   std::optional<double> volume_share_mass;
   std::size_t appeared = 0, vanished = 0; ///< particles that the other frame does not have
+  std::size_t long_steps = 0;             ///< see is_nearly_half_an_edge()
   std::vector<std::int64_t> fresh;        ///< ids of those that appeared
   std::vector<Passage> passages;          ///< one for each particle that passed
 };

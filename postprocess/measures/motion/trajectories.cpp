@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "trajectories.h"
 
+#include "long_steps.h"
 #include "orientation.h"
 
 #include <cmath>
@@ -39,7 +40,9 @@ void Trajectories::move(const ParticleSet& set, const PeriodicCell& cell) {
       state = State{};
       state.first_seen = frame_;
     } else {
-      state.way += cell.nearest(p.centre - state.centre);
+      const Vector3 way = cell.nearest(p.centre - state.centre);
+      state.way += way;
+      long_steps_ += is_nearly_half_an_edge(cell, way) ? 1 : 0;
       state.angle += rotation_between(state.orientation, p.orientation);
     }
     state.centre = p.centre;

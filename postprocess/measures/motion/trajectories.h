@@ -39,6 +39,9 @@ class Trajectories {
   /// Means of one lag.
   LagMeans means(std::size_t lag) const;
 
+  /// Steps from frame to frame that may not be the shortest ones, see is_nearly_half_an_edge().
+  std::size_t long_steps() const { return long_steps_; }
+
   /// Way of a particle since it was first seen (length).
   Vector3 way(std::int64_t id) const { return states_.at(id).way; }
   Vector3 rotation_vector(std::int64_t id) const { return states_.at(id).angle; }
@@ -59,7 +62,7 @@ class Trajectories {
   void move(const ParticleSet& set, const PeriodicCell& cell);
   void compare(const Origin& origin);
 
-  std::size_t most_, apart_, frame_ = 0;
+  std::size_t most_, apart_, frame_ = 0, long_steps_ = 0;
   std::map<std::int64_t, State> states_;
   std::vector<Origin> origins_;
   std::map<std::size_t, LagMeans> sums_;
