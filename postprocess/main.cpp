@@ -5,6 +5,8 @@
 #include "version_text.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <exception>
 #include <string>
 #include <vector>
@@ -26,6 +28,22 @@ void keep_free_memory() {
 void complete_number(std::string& word) {
   if (word.size() > 2 && word[0] == '-' && word[1] == '.' && word[2] >= '0' && word[2] <= '9')
     word.insert(1, "0");
+}
+
+std::string not_finite(const std::string& word) {
+  const char* const begin = word.c_str();
+  char* end = nullptr;
+  const double number = std::strtod(begin, &end);
+  return end != begin && !std::isfinite(number) ? "expected a finite number, found " + word : "";
+}
+
+/// "nan" and "inf" are no numbers for any option, also where every number is allowed.
+void require_finite_numbers(CLI::App& app) {
+  for (CLI::Option* option : app.get_options([](CLI::Option*) { return true; }))
+    if (option->get_type_name().find("FLOAT") != std::string::npos)
+      option->check(not_finite);
+  for (CLI::App* part : app.get_subcommands([](CLI::App*) { return true; }))
+    require_finite_numbers(*part); // commands, and groups of their options
 }
 
 /// The message for a first word that is no command, or nothing.
@@ -64,6 +82,7 @@ int main(int argc, char** argv) {
   int exit_code = exit_good;
   for (unsigned k = 0; k < command_count; ++k)
     command_rows[k].add(program, exit_code);
+  require_finite_numbers(program);
   try {
     program.parse(argc, arguments.data());
   } catch (const CLI::ParseError& error) {

@@ -177,6 +177,17 @@ def check_pictures():
     assert "--view" not in post("render3d", name, "--view", -0.01, 0.01, -0.01, 0.01, -0.01, 0.01, "-o", "there.png")[1]
 
 
+def check_numbers_of_options():
+    """Neither nan nor inf is a number for any option that takes numbers."""
+    name = write("numbers.dump", frame_text(1, [particle(k + 1, 2e-3 * k, 2e-3) for k in range(3)]))
+    for command in (("trajectory", name, "--dt"), ("coordination", name, "--contact-gap"), ("pile", name, "--wall"), ("pile", name, "--columns"),
+                    ("fields", name, "--at", 0, 0), ("flow", name, "--through", 0, 0, 0, 0, 0), ("energy", name, "--gravity", 0, 0),
+                    ("render3d", name, "-o", "n.png", "--zoom"), ("mixing", name, "--value", "x", "--cell"), ("bed", name, "--box", 0, 1, 0, 1, 0)):
+        for word in ("nan", "inf", "NaN", "1e999"):
+            out, error = post(*command, word, expect=2)
+            assert out == "" and ("finite" in error or "range" in error), (command, word, error)
+
+
 def check_results_over_inputs():
     """What a command has read it does not write over; two results do not share a file; a run does not count twice."""
     text = frame_text(1, [particle(k + 1, 2e-3 * k, 2e-3) for k in range(3)])
@@ -208,6 +219,7 @@ def main():
     check_times()
     check_pictures()
     check_results_over_inputs()
+    check_numbers_of_options()
     assert len(rows_of("energy", "plain.dump")) == 1
 
 
