@@ -178,7 +178,9 @@ void add_film_command(CLI::App& program, int& exit_code) {
   add_view_options(*command, *options);
   command->add_option("--colour,--color", options->plane.picture.colour_by,
                       "colour by a column of the file, or by angle (of the long axis) or speed");
-  command->add_option("--colour-range", options->plane.colour_range, "ends of the colour scale")
+  command
+      ->add_option("--colour-range", options->plane.colour_range,
+                   "lower and upper end of the colour scale")
       ->expected(2);
   command->add_option("--title", options->plane.picture.title, "words above each picture");
   command->add_flag("--no-fit", options->plane.no_fit, "without the line A-B");
@@ -193,6 +195,9 @@ void add_film_command(CLI::App& program, int& exit_code) {
       refuse_without_effect(*command, plane_options, "with --space");
     if (options->is_in_space)
       refuse_without_effect(*command, {"--no-fit"}, "with --space");
+    require_ascending_pairs("--colour-range", options->plane.colour_range);
+    require_ascending_pairs("--view", options->plane.view);
+    require_ascending_pairs("--part", options->space.part);
     exit_code = make_film(*options);
   });
 }

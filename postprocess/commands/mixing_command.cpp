@@ -213,6 +213,7 @@ void add_mixing_command(CLI::App& program, int& exit_code) {
     const bool is_marked = !options->region.empty(); // in the first frame, for those that follow
     if (is_marked)
       refuse_without_effect(*command, {"--threads"}, "with --region");
+    require_ascending_pairs("--region", options->region, EqualBounds::allowed);
     Tracer tracer_of_run(*options);
     exit_code = run_rows_command(
         options->frames, "Mixing", is_marked ? FrameOrder::ascending : FrameOrder::any,

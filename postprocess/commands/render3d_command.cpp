@@ -28,8 +28,6 @@ SpaceView view_of(const RenderSpaceOptions& options, UpAxis up) {
     const unsigned from = up == UpAxis::y ? (k + 2) % 3 : k; // as turned_upright() does
     view.part->lower[k] = options.part[2 * from];
     view.part->upper[k] = options.part[2 * from + 1];
-    if (!(view.part->lower[k] < view.part->upper[k]))
-      throw InputError("--view needs x0 < x1, y0 < y1 and z0 < z1");
   }
   return view;
 }
@@ -154,7 +152,9 @@ void add_render3d_command(CLI::App& program, int& exit_code) {
   add_camera_options(*command, options->view);
   command->add_option("--colour,--color", options->colour_by,
                       "colour by a column of the file, or by angle or speed");
-  command->add_option("--colour-range", options->colour_range, "ends of the colour scale")
+  command
+      ->add_option("--colour-range", options->colour_range,
+                   "lower and upper end of the colour scale")
       ->expected(2);
   command
       ->add_option("--view", options->part,
@@ -176,6 +176,8 @@ void add_render3d_command(CLI::App& program, int& exit_code) {
       refuse_without_effect(*command,
                             {"--title", "--no-axes", "--show-box", "--show-walls", "--mesh"},
                             "with --bare");
+    require_ascending_pairs("--colour-range", options->colour_range);
+    require_ascending_pairs("--view", options->part);
     exit_code = render_spaces(*options);
   });
 }

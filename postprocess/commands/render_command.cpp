@@ -101,7 +101,9 @@ void add_render_command(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   command->add_option("--colour,--color", options->picture.colour_by,
                       "colour by a column of the file, or by angle (of the long axis) or speed");
-  command->add_option("--colour-range", options->colour_range, "ends of the colour scale")
+  command
+      ->add_option("--colour-range", options->colour_range,
+                   "lower and upper end of the colour scale")
       ->expected(2);
   command->add_option("--view", options->view, "x0 x1 y0 y1: shows this part only")->expected(4);
   command->add_option("--title", options->picture.title, "words above the picture");
@@ -116,6 +118,8 @@ void add_render_command(CLI::App& program, int& exit_code) {
       refuse_without_effect(*command, {"--cut-bottom", "--cut-top"}, "with --no-fit");
     if (options->no_fit && !options->picture.show_surface)
       refuse_without_effect(*command, {"--columns"}, "with --no-fit and without --surface");
+    require_ascending_pairs("--colour-range", options->colour_range);
+    require_ascending_pairs("--view", options->view);
     exit_code = render_piles(*options);
   });
 }

@@ -16,4 +16,12 @@ CLI::Validator check_by(std::function<void(const std::string&)> parse);
 void refuse_without_effect(const CLI::App& command, const std::vector<std::string>& options,
                            const std::string& reason);
 
+/// Whether both bounds of a pair may be the same.
+enum class EqualBounds { refused, allowed };
+
+/// Refuses pairs of bounds, one after the other, whose lower one does not come first.
+/// Throws InputError that names the option and the pair.
+void require_ascending_pairs(const std::string& option, const std::vector<double>& bounds,
+                             EqualBounds equal = EqualBounds::refused);
+
 } // namespace ellipsoid::post
