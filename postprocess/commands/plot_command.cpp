@@ -48,6 +48,10 @@ void plot_columns(const PlotOptions& options) {
                                  ? draw_map(format, table, options.columns, width, options.height)
                                  : draw_charts(format, {curve_chart(table, options.columns)}, width,
                                                options.height));
+  if (const std::string words = is_map ? left_out_of_map(table, options.columns)
+                                       : left_out_of_curves(table, options.columns);
+      !words.empty())
+    report_warning(words);
   fmt::print(stderr, "picture: {}\n", options.output);
 }
 

@@ -8,8 +8,12 @@
 #include "legends.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <map>
+#include <optional>
+#include <set>
 
 namespace ellipsoid::post {
 namespace {
@@ -28,14 +32,36 @@ void require(const Table& table, const std::string& key) {
   throw InputError(fmt::format("expected a column \"{}\", {}", key, columns_found(table)));
 }
 
-/// A row's value as a number, if it has one.
+/// A row's value as a number, if it has one: nan and inf are none.
 bool number_at(const Row& row, const std::string& key, double& number) {
   const Value* value = find_value(row, key);
-  return value && as_number(*value, number);
+  return value && as_number(*value, number) && std::isfinite(number);
+}
+
+/// Rows that have a column, and how many of them no number in it or in a second column.
+struct RowsWithout {
+  std::size_t rows = 0, without = 0;
+};
+
+RowsWithout rows_without(const Table& table, const std::string& key, const std::string& second) {
+  RowsWithout count;
+  for (const Row& row : table.rows) {
+    double number = 0.0;
+    if (!find_value(row, key))
+      continue; // of a file that has others
+    ++count.rows;
+    count.without += number_at(row, key, number) && number_at(row, second, number) ? 0 : 1;
+  }
+  return count;
+}
+
+void append_sentence(std::string& text, const std::string& more) {
+  text += (text.empty() ? "" : "; ") + more;
 }
 
 struct MapPoint {
-  double x, y, value;
+  double x, y;
+  std::optional<double> value;
 };
 
 std::vector<MapPoint> map_points(const Table& table, const TableChart& what) {
@@ -46,9 +72,12 @@ std::vector<MapPoint> map_points(const Table& table, const TableChart& what) {
   std::vector<MapPoint> points;
   for (const Row& row : table.rows) {
     MapPoint p{};
-    if (number_at(row, what.x, p.x) && number_at(row, what.y.front(), p.y) &&
-        number_at(row, what.value, p.value))
-      points.push_back(p);
+    double value = 0.0;
+    if (!number_at(row, what.x, p.x) || !number_at(row, what.y.front(), p.y))
+      continue;
+    if (number_at(row, what.value, value))
+      p.value = value;
+    points.push_back(p);
   }
   return points;
 }
@@ -70,13 +99,45 @@ double smallest_step(std::vector<double> values, const std::string& key) {
 struct MapAxis {
   double low, high, step, begin, end; ///< values, values, values, pixels, pixels
   double at(double v) const { return begin + (v - low) / (high - low) * (end - begin); }
+  std::int64_t cell(double v) const { return std::llround((v - low) / step - 0.5); }
+  std::int64_t cells() const { return std::llround((high - low) / step); }
 };
 
-MapAxis map_axis(const std::vector<double>& values, const std::string& key, double begin,
-                 double end) {
+MapAxis map_axis(const std::vector<double>& values, const std::string& key, double begin = 0.0,
+                 double end = 1.0) {
   const double step = smallest_step(values, key);
   const auto range = std::minmax_element(values.begin(), values.end());
   return {*range.first - 0.5 * step, *range.second + 0.5 * step, step, begin, end};
+}
+
+std::vector<double> abscissae(const std::vector<MapPoint>& points) {
+  std::vector<double> values;
+  for (const MapPoint& p : points)
+    values.push_back(p.x);
+  return values;
+}
+
+std::vector<double> ordinates(const std::vector<MapPoint>& points) {
+  std::vector<double> values;
+  for (const MapPoint& p : points)
+    values.push_back(p.y);
+  return values;
+}
+
+/// The colours of all values. Throws InputError where there are none.
+ParticleColours scale_of(const std::vector<MapPoint>& points, const TableChart& what) {
+  ParticleColours scale;
+  for (const MapPoint& p : points) {
+    if (!p.value)
+      continue;
+    scale.low = scale.has_scale ? std::min(scale.low, *p.value) : *p.value;
+    scale.high = scale.has_scale ? std::max(scale.high, *p.value) : *p.value;
+    scale.has_scale = true;
+  }
+  if (!scale.has_scale)
+    throw InputError("a map needs rows with numbers in all three columns");
+  scale.label = label_of_key(what.value);
+  return scale;
 }
 
 void draw_map_axes(Canvas& canvas, const MapAxis& x, const MapAxis& y, const TableChart& what,
@@ -141,8 +202,8 @@ Chart curve_chart(const Table& table, const TableChart& what) {
       ChartPoint point;
       if (!number_at(row, what.x, point.x) || !number_at(row, key, point.y))
         continue;
-      if (k < what.margin.size())
-        number_at(row, what.margin[k], point.margin);
+      if (double margin = 0.0; k < what.margin.size() && number_at(row, what.margin[k], margin))
+        point.margin = margin;
       std::string name = label_of_key(key);
       if (!what.group.empty())
         if (const Value* group = find_value(row, what.group))
@@ -156,37 +217,73 @@ Chart curve_chart(const Table& table, const TableChart& what) {
       }
       chart.series[entry->second].points.push_back(point);
     }
+  if (chart.series.empty())
+    throw InputError(fmt::format("no row has a number in both \"{}\" and \"{}\": choose columns "
+                                 "that have them",
+                                 what.x, fmt::join(what.y, "\" or \"")));
   for (Series& series : chart.series)
     if (series.points.size() > most_markers)
       series.marker = Marker::none;
   return chart;
 }
 
+std::string left_out_of_curves(const Table& table, const TableChart& what) {
+  std::string text;
+  for (const std::string& key : what.y)
+    if (const RowsWithout of_curve = rows_without(table, key, what.x); of_curve.without > 0)
+      append_sentence(text, fmt::format("{} of {} rows have no number in \"{}\" or \"{}\" and are "
+                                        "left out of the curve",
+                                        of_curve.without, of_curve.rows, what.x, key));
+  for (const std::string& key : what.margin)
+    if (const RowsWithout bars = rows_without(table, key, key); bars.without > 0)
+      append_sentence(text, fmt::format("{} of {} rows have no number in \"{}\" and no error bar",
+                                        bars.without, bars.rows, key));
+  return text;
+}
+
+std::string left_out_of_map(const Table& table, const TableChart& what) {
+  const std::vector<MapPoint> points = map_points(table, what);
+  scale_of(points, what);
+  const MapAxis x = map_axis(abscissae(points), what.x);
+  const MapAxis y = map_axis(ordinates(points), what.y.front());
+  std::set<std::pair<std::int64_t, std::int64_t>> filled;
+  std::size_t values = 0;
+  for (const MapPoint& p : points)
+    if (p.value) {
+      filled.insert({x.cell(p.x), y.cell(p.y)});
+      ++values;
+    }
+  std::string text;
+  const std::int64_t cells = x.cells() * y.cells();
+  if (const std::int64_t blank = cells - static_cast<std::int64_t>(filled.size()); blank > 0)
+    text = fmt::format("{} of {} cells have no value in \"{}\" and stay blank", blank, cells,
+                       what.value);
+  if (values > filled.size())
+    append_sentence(text, fmt::format("{} rows lie over rows before them and cover those",
+                                      values - filled.size()));
+  if (points.size() < table.rows.size())
+    append_sentence(text, fmt::format("{} of {} rows have no number in \"{}\" or \"{}\" and are "
+                                      "left out",
+                                      table.rows.size() - points.size(), table.rows.size(), what.x,
+                                      what.y.front()));
+  return text;
+}
+
 std::string draw_map(PictureFormat format, const Table& table, const TableChart& what, int width,
                      int height) {
   const std::vector<MapPoint> points = map_points(table, what);
-  if (points.empty())
-    throw InputError("a map needs rows with numbers in all three columns");
+  const ParticleColours scale = scale_of(points, what);
   const auto canvas = make_canvas(format, width, height);
   const double unit = height / 560.0;
-  std::vector<double> xs, ys;
-  ParticleColours scale;
-  scale.low = scale.high = points.front().value;
-  for (const MapPoint& p : points) {
-    xs.push_back(p.x);
-    ys.push_back(p.y);
-    scale.low = std::min(scale.low, p.value);
-    scale.high = std::max(scale.high, p.value);
-  }
-  scale.has_scale = true;
-  scale.label = label_of_key(what.value);
-  const MapAxis x = map_axis(xs, what.x, 110.0 * unit, width - 30.0 * unit);
-  const MapAxis y = map_axis(ys, what.y.front(), height - 130.0 * unit, 50.0 * unit);
+  const MapAxis x = map_axis(abscissae(points), what.x, 110.0 * unit, width - 30.0 * unit);
+  const MapAxis y = map_axis(ordinates(points), what.y.front(), height - 130.0 * unit, 50.0 * unit);
   const double wide = x.at(x.step) - x.at(0.0), high = y.at(0.0) - y.at(y.step);
   for (const MapPoint& p : points) {
+    if (!p.value)
+      continue;
     Style style;
     style.is_filled = true;
-    style.fill = scale_colour(scale, p.value);
+    style.fill = scale_colour(scale, *p.value);
     style.line = style.fill; // no seams between neighbours
     style.line_width = 0.5;
     canvas->rectangle({x.at(p.x) - 0.5 * wide, y.at(p.y) - 0.5 * high}, wide, high, style);

@@ -22,10 +22,18 @@ struct TableChart {
 
 /// Curves y over x, one for each y and group, in the order of the rows. Rows without both numbers
 /// are left out; a row without a margin has none. Throws InputError for a column that no row has,
-/// and for more margins than curves.
+/// for more margins than curves, and where no row has both numbers.
 Chart curve_chart(const Table& table, const TableChart& what);
 
-/// A map: a rectangle for each row, coloured by the value, about (x, y).
+/// Sentences that count what has no number (nan and inf are none) and is not in the curves, or
+/// nothing.
+std::string left_out_of_curves(const Table& table, const TableChart& what);
+
+/// Sentences that count the cells of a map that stay blank, and rows that are not seen in it; or
+/// nothing. Throws what draw_map() throws.
+std::string left_out_of_map(const Table& table, const TableChart& what);
+
+/// A map: a rectangle for each row with a value, coloured by the value, about (x, y).
 /// @return the file's bytes. Throws InputError for missing columns, and where x or y are all equal.
 std::string draw_map(PictureFormat format, const Table& table, const TableChart& what, int width,
                      int height);

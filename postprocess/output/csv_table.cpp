@@ -12,6 +12,15 @@
 namespace ellipsoid::post {
 namespace {
 
+/// Which of two columns of one name is meant is not known; columns without a name mean nothing.
+void require_names_once(const std::vector<std::string>& keys, const std::string& path) {
+  for (auto key = keys.begin(); key != keys.end(); ++key)
+    if (!key->empty() && std::find(std::next(key), keys.end(), *key) != keys.end())
+      throw InputError(fmt::format("{}:1: expected one column \"{}\", found several: give each a "
+                                   "name of its own in this line",
+                                   path, *key));
+}
+
 /// Fields of one line; a doubled quote inside quotes stands for one.
 std::vector<std::string> fields_of(std::string_view line, const FileLocation& location) {
   std::vector<std::string> fields(1);
@@ -49,6 +58,7 @@ Table table_of(const std::string& path, const std::vector<std::string>& number_c
   if (!lines.next(line) || line.empty())
     throw InputError(fmt::format("{}:1: expected a line with the names of the columns", path));
   const auto keys = fields_of(line, {path, 1, 0});
+  require_names_once(keys, path);
   Table table;
   while (lines.next(line)) {
     if (line.empty())

@@ -11,8 +11,8 @@ namespace ellipsoid::post {
 /// The rows of CSV files (comma, first line the keys, fields may be quoted), one file after the
 /// other: whole-token numbers become numbers, empty fields are missing, all else is text.
 /// @param[in] number_columns columns that hold numbers or nothing
-/// Throws InputError for a missing file, an empty header, a row with another number of fields, a
-/// word in a column of numbers.
+/// Throws InputError for a missing file, an empty header, a name that several columns have, a row
+/// with another number of fields, a word in a column of numbers.
 Table read_csv_files(const std::vector<std::string>& paths,
                      const std::vector<std::string>& number_columns);
 

@@ -160,6 +160,11 @@ void append_piles(std::vector<HtmlSection>& sections, const std::vector<Reported
                                  all_same ? PaperPoints::shown : PaperPoints::hidden)});
 }
 
+/// What a caption says of rows that are not in its picture.
+std::string in_brackets(const std::string& words) {
+  return words.empty() ? "" : " (" + words + ")";
+}
+
 /// Tables, curves and maps of any columns of CSV files, as other commands write them.
 std::string measures_of(const ReportOptions& options) {
   constexpr int width = 900, height = 600; // pixels
@@ -173,10 +178,12 @@ std::string measures_of(const ReportOptions& options) {
     TableChart what;
     what.x = x;
     what.y = {y};
-    const Chart chart = curve_chart(read_csv_files({file}, {x, y}), what);
+    const Table table = read_csv_files({file}, {x, y});
+    const Chart chart = curve_chart(table, what);
     pictures.push_back(
         drawing(draw_charts(PictureFormat::svg, {chart}, width, height),
-                fmt::format("{} over {}: {}", label_of_key(y), label_of_key(x), file)));
+                fmt::format("{} over {}: {}", label_of_key(y), label_of_key(x), file) +
+                    in_brackets(left_out_of_curves(table, what))));
   }
   for (std::size_t k = 0; k < options.maps.size(); k += words_of_map) {
     const std::string &file = options.maps[k], &value = options.maps[k + 3];
@@ -186,7 +193,8 @@ std::string measures_of(const ReportOptions& options) {
     what.value = value;
     const Table table = read_csv_files({file}, {what.x, what.y.front(), value});
     pictures.push_back(drawing(draw_map(PictureFormat::svg, table, what, width, height),
-                               fmt::format("{}: {}", label_of_key(value), file)));
+                               fmt::format("{}: {}", label_of_key(value), file) +
+                                   in_brackets(left_out_of_map(table, what))));
   }
   return html + (pictures.empty() ? "" : html_pictures(pictures));
 }
