@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <memory>
 
 namespace ellipsoid::post {
@@ -171,6 +172,12 @@ class FlowRun {
   /// Throws InputError if it has no two frames.
   void append_totals(Table& table) const {
     warn_of_long_steps(name_, sum_.long_steps);
+    if (sum_.several_times > 0)
+      report_warning(
+          fmt::format("{}: {} steps of particles between frames go more than once around "
+                      "the box and pass each time, but count once: write frames more "
+                      "often",
+                      name_, sum_.several_times));
     if (frames_ == 1)
       throw InputError(name_ + ": expected at least two frames, found one: flow is what happens "
                                "between them");
@@ -267,6 +274,7 @@ class FlowRun {
     sum_.appeared += step.appeared;
     sum_.vanished += step.vanished;
     sum_.long_steps += step.long_steps;
+    sum_.several_times += step.several_times;
     if (sum_.volume_share_mass && step.volume_share_mass)
       *sum_.volume_share_mass += *step.volume_share_mass;
     else

@@ -251,6 +251,7 @@ void CommonColumns::describe(ParticleSet& set) const {
   set.has_velocities = has_velocities_;
   set.has_spins = has_spins_;
   set.has_moments = has_moments_;
+  set.is_unwrapped = is_unwrapped();
 }
 
 } // namespace ellipsoid::post

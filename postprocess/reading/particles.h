@@ -75,6 +75,7 @@ struct ParticleSet {
   /// about a point): their velocities are those of the centroid of the centres.
   std::size_t asymmetric_bodies = 0;
   Box box;                          ///< of the frame; where it repeats, so do the particles
+  bool is_unwrapped = false;        ///< centres go on beyond the faces of a box that repeats
   std::vector<std::string> remarks; ///< how columns were understood that could mean something else
 };
 

@@ -5,6 +5,7 @@ Dumps that go on after a restart, particles that are away for a while, columns t
 tell gravity or lie beside each other, pictures of nothing."""
 import csv
 import io
+import json
 import math
 import os
 
@@ -77,6 +78,32 @@ def check_long_steps():
         name = write("steps.dump", frames)
         for command in (("trajectory", name), ("flow", name, "--through", 0, 0, 0, 0, 1, 0)):
             assert ("3 steps of particles" in post(*command)[1]) == is_said, (share, command)
+
+
+def unwrapped_run(column, places):
+    """One particle in a box of 0.5 that repeats along x; `column` is xu or xsu."""
+    names = [c + column[1:] if c in ("x", "y", "z") else c for c in COLUMNS]
+    frames = ""
+    for n, x in enumerate(places):
+        row = particle(1, 2.0 * x if column == "xsu" else x, 0.5 if column == "xsu" else 0.1)
+        frames += frame_text(n, [{name: row[c] for name, c in zip(names, COLUMNS)}], names).replace("mm mm ff", "pp ff ff")
+    return write("unwrapped.dump", frames)
+
+
+def check_unwrapped_steps():
+    """Unwrapped positions tell each way, however long: exact means and crossings, and no word of doubt."""
+    for share, forward, backward in ((0.45, 2, 0), (0.8, 3, 0), (-0.8, 0, 2), (1.7, 3, 0)):  # of the edge, in each step
+        for column in ("xu", "xsu"):
+            name = unwrapped_run(column, [0.05 + 0.5 * share * n for n in range(4)])
+            out, error = post("trajectory", name, "--json", "-")
+            assert error == "", (share, column, error)
+            for row in json.loads(out):
+                way = 0.5 * share * row["lag_frames"]
+                assert abs(row["displacement_x_m"] - way) < 1e-9 and abs(row["msd_m2"] - way ** 2) < 1e-9, (share, column, row)
+            out, error = post("flow", name, "--through", 0.11, 0, 0, 1, 0, 0, "--total", "--json", "-")
+            (row,) = json.loads(out)
+            assert (row["forward"], row["backward"]) == (forward, backward), (share, column, row)
+            assert error == "" if share < 1.0 else "2 steps of particles" in error and "count once" in error, (share, column, error)
 
 
 def check_columns():
@@ -177,6 +204,52 @@ def check_pictures():
     assert "--view" not in post("render3d", name, "--view", -0.01, 0.01, -0.01, 0.01, -0.01, 0.01, "-o", "there.png")[1]
 
 
+def check_ranges():
+    """The lower one of two bounds comes first; else nothing is drawn or measured."""
+    name = write("range.dump", frame_text(1, [particle(k + 1, 2e-3 * k, 2e-3) for k in range(3)]))
+    for command in (("render", name, "-o", "n.svg"), ("render3d", name, "-o", "n.png"), ("film", name, "-o", "n_*.png"),
+                    ("film", name, "--space", "-o", "n_*.png")):
+        for bounds in ((5, 2), (3, 3)):
+            refused(*command, "--colour", "id", "--colour-range", *bounds, words=("--colour-range", "lower bound first", "{} {}".format(*bounds)))
+        post(*[word.replace("n", "good", 1) if word.startswith("n") else word for word in command], "--colour", "id", "--colour-range", 2, 5)
+    for command, option, bounds in ((("render", name, "-o", "n.svg"), "--view", (0, 1, 1, 0)), (("film", name, "-o", "n_*.png"), "--view", (1, 0, 0, 1)),
+                                    (("film", name, "--space", "-o", "n_*.png"), "--part", (0, 1, 0, 1, 1, 0)),
+                                    (("render3d", name, "-o", "n.png"), "--view", (0, 1, 2, 1, 0, 1)), (("mixing", name), "--region", (0, 1, 0, 1, 1, 0))):
+        refused(*command, option, *bounds, words=(option, "lower bound first"))
+    assert not [file for file in os.listdir(".") if file.startswith("n_") or file in ("n.svg", "n.png")]
+    assert json_of("mixing", name, "--region", 0, 1e-3, 0, 1, 0, 0, "--neighbours", 1, "--cell", 3e-3)  # all in one plane
+
+
+def check_gaps_of_tables():
+    """Curves and maps say what has no number; of two columns of one name none is taken."""
+    curve = lambda text, *more: post("plot", "curve", write("gaps.csv", text), "--x", "t", "--y", "v", *more, "-o", "gaps.svg")[1]
+    assert "warning" not in curve("t,v\n0,1\n1,2\n2,3\n")
+    for gap in ("1,nan", "1,inf", "1,", "nan,2", ",2"):
+        assert '1 of 3 rows have no number in "t" or "v" and are left out of the curve' in curve(f"t,v\n0,1\n{gap}\n2,3\n"), gap
+        with open("gaps.svg", encoding="utf8") as file:
+            assert "nan" not in file.read()
+    assert '2 of 3 rows have no number in "m" and no error bar' in curve("t,v,m\n0,1,nan\n1,2,\n2,3,1\n", "--margin", "m")
+    refused("plot", "curve", write("gaps.csv", "t,v\n0,nan\n1,nan\n"), "--x", "t", "--y", "v", "-o", "none.svg", words=('no row has a number in both "t" and "v"',))
+    for command in (("plot", "curve", "twice.csv", "--x", "t", "--y", "v", "-o", "none.svg"), ("summary", "twice.csv", "--quantity", "v"),
+                    ("report", "range.dump", "--table", "twice.csv", "-o", "none.html")):
+        write("twice.csv", "t,v,v\n0,1,2\n1,2,3\n")
+        out, error = post(*command, expect=1)
+        assert 'twice.csv:1: expected one column "v", found several: give each a name' in error, (command, out, error)
+    grid = [(x, y, x + y) for x in range(4) for y in range(3)]
+    plot_map = lambda rows: post("plot", "map", write("map.csv", "x,y,v\n" + "".join(f"{x},{y},{v}\n" for x, y, v in rows)), "--x", "x", "--y", "y",
+                                 "--value", "v", "-o", "map.svg")[1]
+    assert "warning" not in plot_map(grid)
+    assert '1 of 12 cells have no value in "v" and stay blank' in plot_map([r for r in grid if r[:2] != (1, 1)])
+    for gap in ("nan", "-inf", ""):
+        error = plot_map([(x, y, gap if x == 3 or (x, y) == (0, 0) else v) for x, y, v in grid])
+        assert '4 of 12 cells have no value in "v" and stay blank' in error, (gap, error)
+    assert "2 rows lie over rows before them" in plot_map(grid + grid[:2])
+    assert '1 of 13 rows have no number in "x" or "y"' in plot_map(grid + [("nan", 1, 2)])
+    post("report", "range.dump", "--map", "map.csv", "x", "y", "v", "-o", "gaps.html", expect=None)
+    with open("gaps.html", encoding="utf8") as file:
+        assert "1 of 13 rows have no number" in file.read()
+
+
 def check_numbers_of_options():
     """Neither nan nor inf is a number for any option that takes numbers."""
     name = write("numbers.dump", frame_text(1, [particle(k + 1, 2e-3 * k, 2e-3) for k in range(3)]))
@@ -212,6 +285,7 @@ def main():
     check_restarts()
     check_absence()
     check_long_steps()
+    check_unwrapped_steps()
     check_columns()
     check_boxes()
     check_logs()
@@ -220,6 +294,8 @@ def main():
     check_pictures()
     check_results_over_inputs()
     check_numbers_of_options()
+    check_ranges()
+    check_gaps_of_tables()
     assert len(rows_of("energy", "plain.dump")) == 1
 
 

@@ -3,7 +3,6 @@
 
 #include "bed.h"
 #include "body_properties.h"
-#include "long_steps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -144,8 +143,8 @@ std::vector<GateCrossing> plane_crossings(const FlowGate& gate, const Vector3& b
 /// Adds what one particle's step from frame to frame means.
 void FlowThrough::move(const Particle& particle, const State& before, const State& now, double mass,
                        const PeriodicCell& cell, FlowStep& step) const {
-  const Vector3 straight = now.centre - before.centre, way = cell.nearest(straight);
-  step.long_steps += is_nearly_half_an_edge(cell, way) ? 1 : 0;
+  const Vector3 straight = now.centre - before.centre, way = steps_.way(before.named, now.named);
+  step.long_steps += steps_.is_doubtful(way) ? 1 : 0;
   const Vector3 around = straight - way; // the box, from the image at the start to that at the end
   std::vector<GateCrossing> passed;
   if (!gate_.is_bounded())
@@ -161,6 +160,7 @@ void FlowThrough::move(const Particle& particle, const State& before, const Stat
   int net = 0;
   for (const GateCrossing& crossing : passed)
     net += crossing.direction;
+  step.several_times += std::abs(net) > 1 && steps_.goes_around(way) ? 1 : 0;
   if (net != 0) {
     (net > 0 ? step.forward : step.backward) += 1;
     (net > 0 ? step.mass_forward : step.mass_backward) += mass;
@@ -181,6 +181,7 @@ std::optional<FlowStep> FlowThrough::advance(const ParticleSet& set, const Perio
   FlowStep step;
   if (gate_.triangles.empty())
     step.volume_share_mass = 0.0;
+  steps_.advance(set, cell);
   shares_ = shares_of_edges(gate_, cell);
   std::map<std::int64_t, State> states;
   for (const Particle& p : set.particles) {
@@ -189,7 +190,7 @@ std::optional<FlowStep> FlowThrough::advance(const ParticleSet& set, const Perio
     if (!density && !(p.mass > 0.0))
       throw InputError("a flow needs a column \"mass\" with masses > 0, or --density");
     const double mass = density ? *density * body_volume(set, p) : p.mass;
-    State state{cell.wrapped(p.centre), 0.0}; // whatever image the file names
+    State state{cell.wrapped(p.centre), p.centre, 0.0};
     if (gate_.triangles.empty())
       state.beyond = share_beyond(set, p, gate_.point + (p.centre - state.centre), gate_.normal);
     if (const auto before = states_.find(p.id); before != states_.end()) {

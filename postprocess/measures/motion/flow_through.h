@@ -4,8 +4,7 @@
 #pragma once
 
 #include "flow_gate.h"
-#include "particles.h"
-#include "periodic_cell.h"
+#include "frame_steps.h"
 
 #include <cstdint>
 #include <map>
@@ -33,7 +32,8 @@ struct FlowStep {
   /// a body came around the box.
   std::optional<double> volume_share_mass;
   std::size_t appeared = 0, vanished = 0; ///< particles that the other frame does not have
-  std::size_t long_steps = 0;             ///< see is_nearly_half_an_edge()
+  std::size_t long_steps = 0;             ///< see FrameSteps
+  std::size_t several_times = 0;          ///< particles that passed more than once, counted once
   std::vector<std::int64_t> fresh;        ///< ids of those that appeared
   std::vector<Passage> passages;          ///< one for each particle that passed
 };
@@ -44,7 +44,7 @@ double share_beyond(const ParticleSet& set, const Particle& particle, const Vect
                     const Vector3& normal);
 
 /// Follows particles by their ids. Between two frames they move along straight lines, by less than
-/// half of an edge that repeats.
+/// half of an edge that repeats, unless their positions are unwrapped.
 class FlowThrough {
  public:
   explicit FlowThrough(FlowGate gate) : gate_(std::move(gate)) {}
@@ -57,6 +57,7 @@ class FlowThrough {
  private:
   struct State {
     Vector3 centre;      ///< in the box
+    Vector3 named;       ///< the same, as the file names it
     double beyond = 0.0; ///< share of the volume
   };
   void move(const Particle& particle, const State& before, const State& now, double mass,
@@ -64,6 +65,7 @@ class FlowThrough {
 
   FlowGate gate_;
   SharesOfEdges shares_; ///< where the gate lies in the last frame's box
+  FrameSteps steps_;
   bool has_frame_ = false;
   std::map<std::int64_t, State> states_;
 };

@@ -1,7 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "trajectories.h"
 
-#include "long_steps.h"
 #include "orientation.h"
 
 #include <cmath>
@@ -21,7 +20,8 @@ Vector3 rotation_between(const Quaternion& p, const Quaternion& q) {
 }
 
 void Trajectories::add(const ParticleSet& set, const PeriodicCell& cell) {
-  move(set, cell);
+  steps_.advance(set, cell);
+  move(set);
   for (const Origin& origin : origins_)
     compare(origin);
   if (frame_ % apart_ == 0 && origins_.size() < most_) {
@@ -31,7 +31,7 @@ void Trajectories::add(const ParticleSet& set, const PeriodicCell& cell) {
   ++frame_;
 }
 
-void Trajectories::move(const ParticleSet& set, const PeriodicCell& cell) {
+void Trajectories::move(const ParticleSet& set) {
   for (const Particle& p : set.particles) {
     const auto [entry, is_new] = states_.try_emplace(p.id);
     State& state = entry->second;
@@ -40,9 +40,9 @@ void Trajectories::move(const ParticleSet& set, const PeriodicCell& cell) {
       state = State{};
       state.first_seen = frame_;
     } else {
-      const Vector3 way = cell.nearest(p.centre - state.centre);
+      const Vector3 way = steps_.way(state.centre, p.centre);
       state.way += way;
-      long_steps_ += is_nearly_half_an_edge(cell, way) ? 1 : 0;
+      long_steps_ += steps_.is_doubtful(way) ? 1 : 0;
       state.angle += rotation_between(state.orientation, p.orientation);
     }
     state.centre = p.centre;

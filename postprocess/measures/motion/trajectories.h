@@ -3,8 +3,7 @@
 // How far particles have gone and turned since earlier frames of a run.
 #pragma once
 
-#include "particles.h"
-#include "periodic_cell.h"
+#include "frame_steps.h"
 
 #include <cstdint>
 #include <map>
@@ -23,8 +22,8 @@ struct LagMeans {
 };
 
 /// Follows particles by their ids from frame to frame; needs memory for one frame and the origins.
-/// Between two frames a particle must move less than half of an edge that repeats, and turn by less
-/// than half a turn.
+/// Between two frames a particle must move less than half of an edge that repeats (unwrapped
+/// positions: any way), and turn by less than half a turn.
 class Trajectories {
  public:
   /// @param[in] origins frames kept to compare with, the first ones
@@ -39,7 +38,7 @@ class Trajectories {
   /// Means of one lag.
   LagMeans means(std::size_t lag) const;
 
-  /// Steps from frame to frame that may not be the shortest ones, see is_nearly_half_an_edge().
+  /// Steps from frame to frame that may not be the shortest ones, see FrameSteps.
   std::size_t long_steps() const { return long_steps_; }
 
   /// Way of a particle since it was first seen (length).
@@ -59,10 +58,11 @@ class Trajectories {
     std::map<std::int64_t, State> states;
   };
 
-  void move(const ParticleSet& set, const PeriodicCell& cell);
+  void move(const ParticleSet& set);
   void compare(const Origin& origin);
 
   std::size_t most_, apart_, frame_ = 0, long_steps_ = 0;
+  FrameSteps steps_;
   std::map<std::int64_t, State> states_;
   std::vector<Origin> origins_;
   std::map<std::size_t, LagMeans> sums_;
