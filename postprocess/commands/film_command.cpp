@@ -176,12 +176,7 @@ void add_film_command(CLI::App& program, int& exit_code) {
       ->check(CLI::Range(0.1, 240.0))
       ->capture_default_str();
   add_view_options(*command, *options);
-  command->add_option("--colour,--color", options->plane.picture.colour_by,
-                      "colour by a column of the file, or by angle (of the long axis) or speed");
-  command
-      ->add_option("--colour-range", options->plane.colour_range,
-                   "lower and upper end of the colour scale")
-      ->expected(2);
+  add_colour_options(*command, options->plane.picture.colour_by, options->plane.colour_range);
   command->add_option("--title", options->plane.picture.title, "words above each picture");
   command->add_flag("--no-fit", options->plane.no_fit, "without the line A-B");
   command->callback([command, options, &exit_code] {

@@ -150,12 +150,7 @@ void add_render3d_command(CLI::App& program, int& exit_code) {
       ->required()
       ->check(picture_name_check());
   add_camera_options(*command, options->view);
-  command->add_option("--colour,--color", options->colour_by,
-                      "colour by a column of the file, or by angle or speed");
-  command
-      ->add_option("--colour-range", options->colour_range,
-                   "lower and upper end of the colour scale")
-      ->expected(2);
+  add_colour_options(*command, options->colour_by, options->colour_range);
   command
       ->add_option("--view", options->part,
                    "x0 x1 y0 y1 z0 z1: fits this part of the space into the picture")

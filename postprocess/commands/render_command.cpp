@@ -99,12 +99,7 @@ void add_render_command(CLI::App& program, int& exit_code) {
   command->add_option("--width", options->picture.width, "pixels; the height follows")
       ->check(CLI::Range(100, 20000))
       ->capture_default_str();
-  command->add_option("--colour,--color", options->picture.colour_by,
-                      "colour by a column of the file, or by angle (of the long axis) or speed");
-  command
-      ->add_option("--colour-range", options->colour_range,
-                   "lower and upper end of the colour scale")
-      ->expected(2);
+  add_colour_options(*command, options->picture.colour_by, options->colour_range);
   command->add_option("--view", options->view, "x0 x1 y0 y1: shows this part only")->expected(4);
   command->add_option("--title", options->picture.title, "words above the picture");
   command->add_flag("--no-fit", options->no_fit, "without the line A-B");

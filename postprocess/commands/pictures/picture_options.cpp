@@ -78,6 +78,13 @@ CLI::Validator picture_name_check() {
   return check_by([](const std::string& name) { picture_format(name); });
 }
 
+void add_colour_options(CLI::App& command, std::string& colour_by, std::vector<double>& range) {
+  command.add_option("--colour,--color", colour_by,
+                     "colour by a column of the file, or by angle (of the long axis) or speed");
+  command.add_option("--colour-range", range, "lower and upper end of the colour scale")
+      ->expected(2);
+}
+
 void write_pile_picture(const std::string& name, const ChosenFrame& chosen, const Pile& pile,
                         const PileOptions& pile_options, const std::vector<ReposeAngle>& flanks,
                         const PilePictureOptions& options) {

@@ -7,11 +7,15 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 namespace ellipsoid::post {
 
 /// Refuses names of pictures that end neither in .svg nor in .png.
 CLI::Validator picture_name_check();
+
+/// Options --colour and --colour-range.
+void add_colour_options(CLI::App& command, std::string& colour_by, std::vector<double>& range);
 
 /// Names of the pictures of a command: the asterisk of a pattern becomes the time step, with ten
 /// digits, so that the names of a film are in the order of time.
