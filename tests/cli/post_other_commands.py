@@ -132,7 +132,7 @@ def check_space():
     _, error = post("render3d", name, "-o", "x.svg", "--bare", expect=1)
     assert ".png" in error
     _, error = post("render3d", name, "-o", "x.png", "--view", 0, 1, 0, 1, 1, 0, expect=1)
-    assert "z0 < z1" in error
+    assert "lower bound first" in error
     _, error = post("render3d", name, "-o", "x.png", "--width", 1600, "--height", 100, expect=1)
     assert "--height" in error
     for command in ("pile", "repose", "porosity", "render"):

@@ -89,6 +89,27 @@ TEST(Trajectories, particles_that_were_away_begin_anew) {
   EXPECT_NEAR(norm(one.way(13)), 0.0, 1e-12);
 }
 
+/// One particle that creeps along x in a box that repeats and is sheared and stretched.
+TEST(Trajectories, unwrapped_images_far_from_the_box_go_the_way_of_the_one_in_it) {
+  for (const int images : {0, 3, -2}) { // how many edges along y the file's image lies away
+    Trajectories wrapped(1, 1), unwrapped(1, 1);
+    for (int n = 0; n < 6; ++n) {
+      const Vector3 sheared{0.1 * n, 1.0 + 0.05 * n, 0.0};
+      const PeriodicCell cell({0.0, 0.0, 0.0}, {Vector3{1.0, 0.0, 0.0}, sheared, {0.0, 0.0, 1.0}},
+                              {true, true, true});
+      ParticleSet set = flight(0.0, 1);
+      set.particles[0].centre = Vector3{0.3 + 0.07 * n, 0.5, 0.5};
+      wrapped.add(set, cell);
+      set.particles[0].centre += double(images) * sheared;
+      set.is_unwrapped = true;
+      unwrapped.add(set, cell);
+    }
+    EXPECT_NEAR(wrapped.way(10).x, 0.35, 1e-12);
+    EXPECT_NEAR(norm(unwrapped.way(10) - wrapped.way(10)), 0.0, 1e-12) << images;
+    EXPECT_EQ(unwrapped.long_steps(), 0u);
+  }
+}
+
 TEST(Flow, shares_of_bodies_beyond_a_plane) {
   std::mt19937 generator(5);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
