@@ -4,6 +4,8 @@
 // (doc/contact_models.md has the whole table).
 #pragma once
 
+#include "host_variants.h"
+
 #include <string>
 
 namespace LIGGGHTS {
@@ -28,6 +30,10 @@ constexpr UnsuitableModel unsuitable_models[] = {
      "acts across a gap, which is not known for ellipsoids; use 'cohesion sjkr' or 'sjkr2'"},
     {"cohesion", "cohesion", "washino/capillary/viscous",
      "acts across a gap, which is not known for ellipsoids; use 'cohesion sjkr' or 'sjkr2'"},
+#ifdef ELLIPSOID_HOST_INL
+    {"cohesion", "cohesion", "sjkr",
+     "has another torque in LIGGGHTS-INL than in other LIGGGHTS; use no cohesion with this host"},
+#endif
     {"rolling_friction", "rolling_friction", "epsd3",
      "damps by the moment of inertia of spheres; use 'rolling_friction epsd'"},
 };
