@@ -25,7 +25,7 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 def targets():
     """{name below --out: file of the tree} that the study writes its tables to."""
     return {"study.md": ROOT / "src_liggghts" / "doc" / "study.md",
-            "study_values.h": ROOT / "postprocess" / "measures" / "study_values.h"}
+            "study_values.h": ROOT / "postprocess" / "measures" / "templates" / "study_values.h"}
 
 
 def tool(tools, *words):

@@ -165,6 +165,12 @@ void FixWallGranEllipsoid::init() {
                        "has one contact at a seam by itself: remove 'weighted_wall_formulation' "
                        "from its meshes");
   forces_.models().connect(force->registry, force->nktv2p == 1.0);
+  in_batches_ = obstacle_to_batches().empty();
+}
+
+/// The host finds out here, after the forces of the set-up, whether heat goes through the wall.
+void FixWallGranEllipsoid::setup(int vflag) {
+  FixWallGran::setup(vflag);
   const std::string obstacle = obstacle_to_batches();
   in_batches_ = obstacle.empty();
   batch_notice_.tell(*lmp, "fix wall/gran/ellipsoid (id " + std::string(id) + ")", obstacle);

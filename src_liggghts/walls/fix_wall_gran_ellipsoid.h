@@ -41,6 +41,7 @@ class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
   void post_create() override;
   void pre_delete(bool unfixflag) override;
   void init() override;
+  void setup(int vflag) override;
   const std::string& law() const override { return law_; }
   void post_force(int vflag) override {
     begin_records(update->ntimestep);

@@ -59,6 +59,7 @@ thermo 500
 def settings():
     """{name: keyword arguments of script()}."""
     wall = f"wall/gran/ellipsoid {LAW} surface SURFACE primitive type 1"
+    tube = f"fix tube all {wall} zcylinder 0.0068 0.0 0.0\n"
     meshes = mesh("cad", "floor.stl") + mesh_wall("cad_wall", ["cad"], "SURFACE")
     turning = "fix turn all move/mesh mesh cad rotate origin 0 0 0 axis 0 0 1 period 0.5\n"
     stream = mesh("face", "face.stl", style="mesh/surface/planar") + (
@@ -69,10 +70,10 @@ def settings():
                      "insert_every 700 vel uniform 0 0 0 0.1 0.1 0.1 region above\n")
     return {
         "floor": {}, "periodic": {"boundary": "p p p"}, "shrunk": {"boundary": "m m m"},
-        "fixed": {"boundary": "f f f", "walls": f"fix tube all {wall} zcylinder 0.0068 0.0 0.0\n"
-                                                f"fix floor all {wall} zplane 0.0\n"},
+        "fixed": {"boundary": "f f f", "walls": f"{tube}fix floor all {wall} zplane 0.0\n"},
         "sliding": {"walls": f"fix belt all {wall} zplane 0.0 shear x 0.1\n"},
-        "mesh": {"walls": meshes}, "turning": {"walls": meshes + turning},
+        "mesh": {"walls": meshes},
+        "turning": {"boundary": "m m m", "walls": meshes + turning + tube},  # above the square at any angle
         "vibrating": {"walls": meshes + turning.replace("rotate origin 0 0 0 axis 0 0 1 period 0.5",
                                                         "wiggle amplitude 0 0 0.0005 period 0.02")},
         "conveying": {"walls": meshes + turning.replace("rotate origin 0 0 0 axis 0 0 1 period 0.5",
@@ -162,6 +163,8 @@ class Settings(unittest.TestCase):
         """SIGUSR1: the file is written at whatever step the run has reached, and the run goes on."""
         steps = 4 * END
         end = f"run {steps} upto\n"
+        for former in [Path("signal.dump"), *Path().glob("restart_forced_liggghts_*.data")]:
+            former.unlink(missing_ok=True)
         Path("in.signal").write_text(script(None, "smooth") + dump("signal.dump", SAMPLE) + end)
         with subprocess.Popen([str(LIGGGHTS), "-in", "in.signal", "-log", "none"],
                               stdout=subprocess.DEVNULL) as process:
