@@ -16,7 +16,8 @@ namespace LAMMPS_NS {
 /// Global vector of the last time step, summed over all ranks: [1] touching pairs of particles,
 /// [2] contacts between them (more than [1] for multi-spheres), [3] pairs in the neighbour list,
 /// [4] searches (smooth) or distances between sub-spheres (multisphere): potential contacts,
-/// [5] Newton steps, [6] searches that did not converge.
+/// [5] Newton steps, [6] searches that did not converge, [7] those pairs of [3] that are near by
+/// their true shapes. In the order of ContactCounts.
 class ComputeContactsEllipsoid : public Compute {
  public:
   ComputeContactsEllipsoid(class LAMMPS* lmp, int& iarg, int narg, char** arg);

@@ -45,7 +45,7 @@ double contact_area(const Atom& atom, const HeatConduction& heat, const ContactR
 }
 
 /// Batchelor & O'Brien 1977, Proc. R. Soc. A 355, 313: H = 2 k a, here with the harmonic mean
-/// conductivity and, as in the host, with sqrt(area) in the place of the contact's diameter.
+/// conductivity and, as in the host, with sqrt(area) in the place of the contact's radius a.
 double conductance(double k_i, double k_j, double area) {
   return k_i > 0.0 && k_j > 0.0 ? 4.0 * k_i * k_j / (k_i + k_j) * std::sqrt(area) : 0.0;
 }

@@ -30,7 +30,8 @@ inline void store(const ellipsoid::Quaternion& from, double* to) {
   to[3] = from.z;
 }
 
-/// R of (19) as the contact geometry gives it, (20) for plain spheres.
+/// R of the contact geometry, Markauskas et al. 2010, eq. (19), or eq. (20) for plain spheres
+/// (length).
 inline double reduced_radius(const LIGGGHTS::ContactModels::SurfacesIntersectData& s) {
   if (s.is_non_spherical)
     return s.reff;

@@ -13,13 +13,13 @@ struct HeatConduction {
   const double* temperature;
   const double* conductivity;         ///< power / (length temperature)
   double fixed_area;                  ///< of every contact (length^2); 0: that of the overlap
-  const double* const* overlap_ratio; ///< of the overlaps of the true stiffness; null: 1
+  const double* const* overlap_ratio; ///< overlap at the true stiffness over the simulated; null: 1
   double* flux;                       ///< power
-  double** directional_flux;
-  double* area;           ///< sum over contacts (length^2); null: not wanted
-  double* contact_count;  ///< null: not wanted
-  bool by_radius = false; ///< conductance by sqrt(area / pi), not sqrt(area)
-  bool is_known = true;   ///< whether the area is one of those above
+  double** directional_flux;          ///< power length
+  double* area;                       ///< sum over contacts (length^2); null: not wanted
+  double* contact_count;              ///< null: not wanted
+  bool by_radius = false;             ///< conductance by sqrt(area / pi), not sqrt(area)
+  bool is_known = true;               ///< whether the area is one of those above
 };
 
 /// Stops where the area of a contact is one that ellipsoids do not have.

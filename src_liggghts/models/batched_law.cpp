@@ -27,7 +27,7 @@ constexpr Kind kinds[] = {{LawKind::normal, "normal", "model", false},
                           {LawKind::tangential, "tangential", "tangential", false},
                           {LawKind::rolling, "rolling_friction", "rolling_friction", true}};
 
-/// Settings that make another law of a model, and what its style has then.
+/// The name of a model's law under its settings, some of which make another law of it.
 std::string variant(const std::string& style, const ModelSettings& settings) {
   if (style == "history/viscous" && settings.value("direction", "displacement") == "velocity")
     return style + " velocity";

@@ -32,15 +32,15 @@ struct ContactRecord {
       position_j;              ///< centres; at walls both that of the particle (length)
   ellipsoid::Vector3 point;    ///< middle of the overlap, in space (length)
   ellipsoid::Vector3 normal;   ///< unit, from the first to the second or the wall
-  ellipsoid::Vector3 force;    ///< on the first, of all contact models together
+  ellipsoid::Vector3 force;    ///< on the first, of all contact models together (force)
   double overlap = 0.0;        ///< h (length)
   double reduced_radius = 0.0; ///< R of (19), of the spheres for multi-spheres (length)
   double area = 0.0;           ///< of the contact (length^2)
   double weight = 1.0;         ///< of its force in the sum
 };
 
-/// Told apart from the host's own pair styles and walls by this base class: only callers that
-/// have it fill in the contact geometry which the surface models of ellipsoids expect.
+/// Base class of the pair style and the walls that fill in the contact geometry which the surface
+/// models of ellipsoids expect; those of the host do not have it.
 class EllipsoidContactCaller {
  public:
   virtual ~EllipsoidContactCaller() {}

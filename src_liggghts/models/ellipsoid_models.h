@@ -57,7 +57,7 @@ template <typename Models> std::string unsuitable_model(Models& models) {
   return {};
 }
 
-/// A setting that must not be `on`, because.
+/// A setting that must not be `on`, and why.
 struct UnsuitableSetting {
   const char *keyword, *reason;
 };

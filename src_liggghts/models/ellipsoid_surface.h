@@ -58,8 +58,9 @@ class EllipsoidSurface : public SurfaceModelBase {
   EllipsoidContactCaller& caller() { return *caller_; }
 
  private:
-  /// What models say of radii and distances is about spheres with the radii of the contact at the
-  /// distance that gives its overlap. (The host's wall has put the sphere of equal volume.)
+  /// Contact models that ask for radii and distances get those of two spheres: with the radii of
+  /// curvature at the contact, at the distance that gives its overlap. (The host's wall has filled
+  /// in the sphere of equal volume.)
   void set_local_spheres(SurfacesIntersectData& sidata) const {
     sidata.radi = sidata.radsum = caller_->curvature_radius_i;
     if (!sidata.is_wall) {

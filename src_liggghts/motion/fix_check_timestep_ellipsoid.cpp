@@ -114,7 +114,7 @@ double FixCheckTimestepEllipsoid::smallest_mass2_over_radius(int i, bool multisp
   return ellipsoid::smallest_mass2_over_radius(*pose.body, pose.scale, mass, inertia);
 }
 
-/// Of the shortest semi-axis; of a clump of its smallest sphere.
+/// Of the shortest semi-axis; of sets of spheres that are no chain, of the smallest sphere (time).
 double FixCheckTimestepEllipsoid::rayleigh_time(int i, bool multisphere, double shear_modulus,
                                                 double ratio) {
   const ellipsoid::Vector3 axes = vector(atom->shape[i]);

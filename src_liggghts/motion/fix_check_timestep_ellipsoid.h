@@ -51,7 +51,7 @@ class FixCheckTimestepEllipsoid : public Fix {
 
   void parse(int narg, char** arg);
   void check_material() const;
-  /// E* of a particle of this type with the stiffest partner.
+  /// E* of a particle of this type with the stiffest partner (force/length^2).
   double effective_modulus(int type) const;
   double rayleigh_time(int i, bool multisphere, double shear_modulus, double ratio);
   double smallest_mass2_over_radius(int i, bool multisphere);

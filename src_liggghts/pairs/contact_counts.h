@@ -10,10 +10,10 @@ struct ContactCounts {
     touching_pairs,
     contacts,
     listed_pairs, ///< in the host's lists: bounding spheres are near
-    tested,
+    tested, ///< smooth: pairs that were searched; multi-spheres: distances between sub-spheres
     newton_steps,
     not_converged,
-    near_pairs, ///< of these by their true shapes
+    near_pairs, ///< those of listed_pairs that are near by their true shapes
     item_count
   };
   double values[item_count] = {};

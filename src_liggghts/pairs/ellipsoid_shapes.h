@@ -1,8 +1,8 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// The ellipsoids of owned and ghost particles as the contact search takes them: A = R diag R^T,
-// made once per particle and time step: all of them together, or only those that are asked for
-// where most particles touch nothing.
+// The ellipsoids of owned and ghost particles as the contact search takes them,
+// A = R diag(a^2, b^2, c^2) R^T, made once per particle and time step: all of them together, or,
+// where most particles touch nothing, only those that are asked for.
 #pragma once
 
 #include "ellipsoid/ellipsoid_contact.h"

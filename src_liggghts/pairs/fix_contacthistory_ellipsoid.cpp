@@ -78,8 +78,8 @@ void FixContactHistoryEllipsoid::pre_exchange() {
   pair().prepare_candidates();
 }
 
-/// In a box that two images of a partner fit into, all contacts: the images differ by where they
-/// are. Otherwise those that go beyond the host's row.
+/// Where a periodic side is so short that a particle may be near two images of a partner, saves all
+/// contacts, with their places to tell the images apart; otherwise those beyond the host's row.
 void FixContactHistoryEllipsoid::save() {
   if (!are_changed_)
     return;
@@ -217,7 +217,7 @@ int FixContactHistoryEllipsoid::unpack_exchange(int i, double* buffer) {
   return saved_.unpack(i, buffer);
 }
 
-/// `restart N` writes files without new lists.
+/// Saves first: `restart N` writes files in steps without new lists.
 int FixContactHistoryEllipsoid::size_restart(int i) {
   save();
   return saved_.packed_size(i);

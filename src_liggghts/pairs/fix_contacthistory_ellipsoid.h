@@ -3,9 +3,9 @@
 // fix contacthistory/ellipsoid: made by pair_style gran/ellipsoid. While neighbour lists are made
 // anew it keeps the contact histories that the host would lose or mix up: those of contacts beyond
 // the room that the host gives a pair, and, in short periodic boxes, those of the several images
-// of a partner, which the host does not tell apart. It also has lists that hold the pairs near by
-// true shape made anew in time (near_candidates.h). (The host calls fixes whose style begins with
-// `contacthistory` before particles come and go.)
+// of a partner, which the host does not tell apart. It also asks for new lists in time where these
+// hold only the pairs that are near by true shape (near_candidates.h). (The host calls fixes whose
+// style begins with `contacthistory` before particles come and go.)
 #ifdef FIX_CLASS
 // clang-format off
 FixStyle(contacthistory/ellipsoid,FixContactHistoryEllipsoid)

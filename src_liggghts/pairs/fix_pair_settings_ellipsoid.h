@@ -2,7 +2,7 @@
 //
 // fix pair_settings/ellipsoid: made by pair_style gran/ellipsoid. It keeps the arguments of that
 // command, the IDs and laws of the walls and the sub-spheres of the templates in restart files, and
-// compares them in the run that goes on.
+// compares them with those of the run that goes on from such a file.
 #ifdef FIX_CLASS
 // clang-format off
 FixStyle(pair_settings/ellipsoid,FixPairSettingsEllipsoid)

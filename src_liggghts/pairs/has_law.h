@@ -5,7 +5,7 @@
 
 namespace ellipsoid_host {
 
-/// A wall whose contact law belongs to what restart files keep (fix pair_settings/ellipsoid).
+/// A wall whose contact law is kept in restart files (by fix pair_settings/ellipsoid).
 class HasLaw {
  public:
   virtual ~HasLaw() = default;

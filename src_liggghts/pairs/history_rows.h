@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Histories of the pairs that touch: a row of numbers each, taken when a contact begins and given
-// back when it is over. Rows stay where they are.
+// back when it is over. Addresses of rows hold until clear().
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace ellipsoid_host {
 
 class HistoryRows {
  public:
-  /// No row is in use any more.
+  /// Gives all rows back.
   /// @param[in] length of a row
   void clear(int length) {
     if (length != length_)

@@ -4,8 +4,8 @@
 // (Markauskas et al. 2010, section 3.4).
 //
 // The history of a pair is a row of equal slots, one per contact: the first `contacts` of them lie
-// in the host's lists, those that few pairs need beyond in more_history.h. A slot starts with its
-// key: the sum of the two sphere numbers + 1 (0: free) and their difference, which changes sign
+// in the host's lists, those beyond, which few pairs have, in more_history.h. A slot starts with
+// its key: the sum of the two sphere numbers + 1 (0: free) and their difference, which changes sign
 // when the pair is seen from j; the values of the contact models follow.
 #pragma once
 
@@ -32,8 +32,8 @@ class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers 
   using SpherePair = ellipsoid::NearSpheres::SpherePair;
 
   /// A search finds the spheres that may touch within so many time steps if motions change as
-  /// usual; within fewer steps for fine chains, where a gap has the more spheres the wider it is.
-  /// It is no nearer nor farther than these shares of both radii of the bodies' middles.
+  /// usual; fewer steps for chains of many spheres, of which a wide gap would take in too many. The
+  /// gap is bounded by these shares of b_i + b_j, the second semi-axes of the bodies.
   static constexpr double steps_ahead = 50.0, steps_ahead_of_chain = 500.0;
   static constexpr int largest_slot = std::numeric_limits<short>::max();
   static constexpr double smallest_gap_share = 1e-3, largest_gap_share = 0.1;

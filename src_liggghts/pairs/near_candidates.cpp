@@ -20,10 +20,10 @@ namespace ellipsoid_host {
 
 namespace {
 
-/// Of all particles: fewer long ones do not pay.
+/// Share of long or flat particles above which choosing pairs by true shape pays.
 constexpr double share_of_long = 0.1;
-/// The margin is half the skin, as the way of a centre in the host's lists, or what the fastest
-/// surface moves in so many steps: lists are not made anew all the time when bodies spin fast.
+/// The margin is half the skin, as for centres in the host's lists, but at least what the fastest
+/// surface moves in so many steps: else lists would be made anew too often when bodies spin fast.
 constexpr double steps_in_margin = 20.0;
 
 /// What the surface of a particle moves at most in a step (length).

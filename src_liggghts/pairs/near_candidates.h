@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// Where the host's neighbour lists take their candidates from, when its bins serve badly: they are
-// as wide as the largest particle needs, and as long as the longest.
+// Where the host's neighbour lists take their candidates from when its bins serve badly: these are
+// as wide as the bounding sphere of the largest or longest particle needs.
 //
 // Candidates by true shape are the pairs that are nearer than two margins. They are good until a
 // particle's surface has moved by more than a margin, rotation included: then the lists have to be

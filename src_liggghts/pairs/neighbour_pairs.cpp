@@ -7,14 +7,14 @@ using namespace ellipsoid_host;
 
 namespace {
 
-/// The margin of a particle is half the skin, as that of its centre in the host's lists, or what it
-/// moves in so many steps: a body that spins fast does not have the pairs of all others chosen anew
-/// all the time.
+/// The margin of a particle is half the skin, as for centres in the host's lists, but at least what
+/// its surface moves in so many steps: else one body that spins fast would have the pairs of all
+/// chosen anew too often.
 constexpr double steps_in_margin = 20.0;
 
 } // namespace
 
-/// The host flags pairs whose ids it knows.
+/// In new lists the host has flagged the pairs whose ids are among the partners it has kept.
 void NeighbourPairs::recall_rows(LAMMPS_NS::FixContactHistory& kept, const int* tags) {
   active_.clear();
   rows_.clear(history_values_);

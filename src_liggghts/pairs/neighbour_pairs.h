@@ -62,9 +62,8 @@ class NeighbourPairs {
   /// Chooses the near pairs: no pair is active then, none deferred. All particles get new margins,
   /// those that turn fast larger ones.
   /// @param[in] skin of the neighbour lists (length)
-  /// @param[in] choose choose(candidates, count, keep): sets keep[k] to whether pair k is not
-  /// proved
-  ///            to be farther apart than both margins; count is up to candidates_together
+  /// @param[in] choose choose(candidates, count, keep): sets keep[k] to false where pair k is
+  ///            proved to be farther apart than both margins; count is up to candidates_together
   template <class Choose>
   void restart(double skin, ellipsoid::MotionClocks& clocks, const Choose& choose) {
     begin_choice(skin, clocks);

@@ -129,7 +129,7 @@ void PairForces::gather(const Contact* contacts, bool are_flagged) {
   }
 }
 
-/// @tparam in_plane the other numbers are 0
+/// @tparam in_plane forces lie in the xy plane, torques along z: the other components are 0
 template <bool in_plane> inline void PairForces::add_action(const Contact& contact, int k) {
   const ellipsoid::ContactAction action = batch_.action(k);
   const auto add = [this](int i, const ellipsoid::Vector3& f, const ellipsoid::Vector3& t) {
@@ -238,7 +238,8 @@ SurfacesIntersectData PairForces::record(const Contact& contact, int k) const {
   store(vector(atom->x[i]) + frame.lever_i, c.contact_point);
   c.deltan = frame.overlap;
   c.reff = frame.reduced_radius;
-  // local spheres with the Gaussian radii of curvature, scaled so that their R is that of (19)
+  // local spheres with the Gaussian radii of curvature, scaled so that R_i R_j / (R_i + R_j) is the
+  // R of Markauskas et al. 2010, eq. (19)
   const double scale =
       frame.reduced_radius * (frame.radius_i + frame.radius_j) / (frame.radius_i * frame.radius_j);
   c.radi = scale * frame.radius_i;

@@ -165,7 +165,7 @@ void PairGranEllipsoid::settings(int narg, char** arg) {
   read_settings(narg, arg);
 }
 
-/// Of all that the models and the search can be told.
+/// The settings of the models and of the search.
 void PairGranEllipsoid::read_settings(int narg, char** arg) {
   const std::string problem = models_->read_settings(narg, arg, this);
   if (!problem.empty())
@@ -207,7 +207,7 @@ void PairGranEllipsoid::init_style() {
   keep_history();
 }
 
-/// Of the pairs that touch alone there are histories: the host's lists need room for their numbers.
+/// Where only pairs that touch have a history, the host's lists hold one number per pair: its row.
 void PairGranEllipsoid::shorten_lists() {
   if (!contacts_->history_rows())
     return;
@@ -258,7 +258,7 @@ void PairGranEllipsoid::save_contact_history() {
   pages_[1] = pages[1];
 }
 
-/// Stops if the contact history comes from a run with other arguments.
+/// The fix stops if the contact history comes from a run with other arguments.
 void PairGranEllipsoid::keep_arguments() {
   own_fix("pair_settings_ellipsoid", "pair_settings/ellipsoid");
 }
@@ -268,7 +268,7 @@ void PairGranEllipsoid::keep_history() {
       own_fix("contacthistory_ellipsoid", "contacthistory/ellipsoid"));
 }
 
-/// Made when a run is set up for the first time.
+/// The fix of this ID, which is made when a run is set up for the first time.
 Fix* PairGranEllipsoid::own_fix(const char* id, const char* style) {
   const char* words[] = {id, "all", style};
   if (modify->find_fix(id) < 0)

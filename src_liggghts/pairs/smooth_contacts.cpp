@@ -111,7 +111,8 @@ void SmoothContacts::defer(const NearPair& pair, double gap, const Vector3& norm
                motions_.clocks());
 }
 
-/// A pair may have touched when the run was set up, which leaves the host's flag and no more.
+/// For a pair that is apart. It may have touched when the run was set up, of which no more than the
+/// host's flag is left.
 void SmoothContacts::close_and_defer(NearPair& pair, double gap, const Vector3& normal,
                                      PairForces& forces) {
   if (pair.history) {
@@ -270,8 +271,8 @@ bool SmoothContacts::defer_without_search(NearPair& pair, const Vector3& distanc
   return true;
 }
 
-/// All others start from scratch: what a new contact is does not depend on what happened before it,
-/// nor on whether the run was interrupted.
+/// Pairs that did not touch start from scratch: a new contact does not depend on what happened
+/// before it, nor on whether the run was interrupted.
 /// @return whether the pair touches; its next check is deferred if not
 __attribute__((noinline)) bool SmoothContacts::search_alone(NearPair& pair, PairForces& forces) {
   const Vector3 distance = centre_distance(pair.i, pair.j);

@@ -42,7 +42,7 @@ class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
   std::vector<ellipsoid::Vector3> normals_; ///< by near pair, from i to j; 0: none
   double listed_pairs_ = 0.0, near_pairs_ = 0.0;
   bool is_time_step_ = false;
-  bool are_kept_ = true;       // histories as they are, by the host's fix
+  bool are_kept_ = true;       // the host's fix has the histories as they are
   bool flags_are_set_ = false; // of all pairs that touched in the last step
   ContactCounts counts_;
 
@@ -55,7 +55,7 @@ class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
   Contact in_search_[ellipsoid::ContactBatch::capacity];
   ellipsoid::ContactBatch batch_;
 
-  /// Most pairs are searched in one step and touch: the others are counted besides.
+  /// Most pairs touch and take one Newton step: further steps and other results are counted apart.
   struct SearchCounts {
     double tested = 0.0, more_steps = 0.0, apart = 0.0, not_converged = 0.0;
   };

@@ -21,7 +21,7 @@ class SurfaceContacts {
   virtual ContactCounts compute(PairForces& forces, bool is_time_step) = 0;
   /// Whether no point of contact can be outside of both particles' ellipsoids.
   virtual bool lie_within_ellipsoids() const { return false; }
-  /// Where histories are whose numbers the host's lists hold; null: the lists hold the histories.
+  /// The rows of histories whose numbers the host's lists hold; null: the lists hold the histories.
   virtual const HistoryRows* history_rows() const { return nullptr; }
   /// When the lists are new: pairs that touched get back what the host's fix has kept.
   /// @return whether they did

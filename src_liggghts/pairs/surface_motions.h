@@ -15,9 +15,9 @@ namespace ellipsoid_host {
 
 class SurfaceMotions {
  public:
-  /// Takes the motion since the last call; owned and ghost particles.
+  /// Measures the motion since the last call, of owned and ghost particles.
   /// @param[in] new_lists the indices of the particles may have changed: all clocks start anew
-  /// @return whether they did (also when the number of particles has changed)
+  /// @return whether the clocks did (also when the number of particles has changed)
   bool update(const LAMMPS_NS::Atom& atom, double time_step, bool new_lists);
   ellipsoid::MotionClocks& clocks() { return clocks_; }
 

@@ -97,7 +97,7 @@ void AtomVecGranularEllipsoid::read_subspheres(int i, char** values) {
   check_chain(subspheres_[i], atom->shape[i], id);
 }
 
-/// Whatever the surface is: the numbers go to dumps, which others read.
+/// Checked for smooth surfaces, too: N and spacing go to dumps, which other programs read.
 void AtomVecGranularEllipsoid::check_chain(const std::array<int, 2>& chain, const double* axes,
                                            const char* id) const {
   const auto [count, spacing] = chain;

@@ -66,7 +66,7 @@ std::string converted(const std::string& command, const Words& words, std::size_
       [](const std::string& text, const std::string& word) { return text + " " + word; });
 }
 
-/// `word` is unsuited as a part of a command, because.
+/// A word that a command must not have with ellipsoids, and why.
 struct UnsuitedWord {
   const char *command, *word, *reason_and_remedy;
 };
@@ -91,8 +91,8 @@ constexpr UnsuitedWord unsuited_words[] = {
     {"atom_modify", "no", "hides the ids by which contacts are known; use 'atom_modify map array'"},
 };
 
-/// The host's fixes that it replaces by one of the same ID without harm; others look at the list of
-/// fixes while one of them is missing.
+/// Fixes of the host whose ID a second command may use again: it replaces the first. Others look at
+/// the list of fixes when they are made, in which the one to be replaced is missing then.
 constexpr const char* replaceable_fixes[] = {"addforce", "aveforce",  "deform",   "freeze",
                                              "gravity",  "lineforce", "momentum", "planeforce",
                                              "print",    "setforce",  "viscous"};
@@ -109,7 +109,7 @@ void warn_of_radius(LAMMPS* lmp, const Words& words) {
                                    .c_str());
 }
 
-/// The bounds of a region, and its volume, are those of the moment at which it was given.
+/// A fix insert/... takes bounds and volume of its region once, when the fix is made.
 void check_region_of_insertion(LAMMPS* lmp, const Words& words) {
   const auto keyword = std::find(words.begin(), words.end(), "region");
   if (words[2].rfind("insert/", 0) != 0 || words.end() - keyword < 2)
@@ -121,7 +121,7 @@ void check_region_of_insertion(LAMMPS* lmp, const Words& words) {
            "each run");
 }
 
-/// Meshes name their modules one after another, with a stroke between two: each is looked at.
+/// The style of a mesh lists its modules with a '/' between two: each is looked at.
 void check_mesh_modules(LAMMPS* lmp, const Words& words) {
   const std::string mesh = "mesh/surface/";
   if (words[2].rfind(mesh, 0) != 0)
@@ -155,7 +155,7 @@ void check_fix(LAMMPS* lmp, const Words& words) {
   lmp->error->all(FLERR, message.c_str());
 }
 
-/// `fix move` and `fix insert/stream` count time in steps.
+/// `fix move` counts time in steps: with another number or length of steps its particles jump.
 void check_time(LAMMPS* lmp, const std::string& command) {
   const Modify& modify = *lmp->modify;
   for (int k = 0; k < modify.nfix; ++k)

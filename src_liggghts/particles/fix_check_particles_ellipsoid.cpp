@@ -62,7 +62,7 @@ void FixCheckParticlesEllipsoid::end_of_step() {
     ellipsoid_host::check_finite(lmp, caller);
 }
 
-/// A particle has one integrator, or is frozen.
+/// Warns of particles that no fix moves or freezes, and of those that two fixes move.
 void FixCheckParticlesEllipsoid::check_integrators() const {
   std::string names;
   std::vector<int> groups;
@@ -76,7 +76,7 @@ void FixCheckParticlesEllipsoid::check_integrators() const {
     names += (names.empty() ? "" : ", ") + std::string(fix.style) + " (id " + fix.id + ")";
     groups.push_back(fix.groupbit);
   }
-  int mine[2] = {0, 0}, all[2]; // particles without, and with two
+  int mine[2] = {0, 0}, all[2]; // particles moved by no fix, by two or more
   for (int i = 0; i < atom->nlocal; ++i) {
     int count = 0;
     for (const int group : groups)

@@ -1,6 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// fix check/particles/ellipsoid: no particle that cannot be simulated goes unnoticed.
+// fix check/particles/ellipsoid: finds particles that cannot be simulated.
 #ifdef FIX_CLASS
 // clang-format off
 FixStyle(check/particles/ellipsoid,FixCheckParticlesEllipsoid)

@@ -40,8 +40,9 @@ class FixClumpsEllipsoid : public Fix {
   /// To be called when a run begins: makes the table if particles are clumps.
   static void make_sure(class LAMMPS* lmp);
 
-  /// @param[in] moments_per_mass of the clump as it is (length^2)
-  /// @return its number; that of the same name and spheres if there is one
+  /// Stops with one line if a clump of this name has other spheres or moments.
+  /// @param[in] moments_per_mass of the clump in the size of its file (length^2)
+  /// @return its number, from 1; the one it has if it is there already
   int add(const std::string& name, const ellipsoid::ClumpTemplate& clump,
           const ellipsoid::Vector3& moments_per_mass);
   /// The spheres of a particle.

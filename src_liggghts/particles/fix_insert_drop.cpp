@@ -25,9 +25,9 @@ using ellipsoid_host::vector;
 
 namespace {
 
-/// Begins the state in restart files.
+/// First number of the state in restart files: what follows counts time.
 constexpr double state_by_time = -2.0;
-/// Began those of an earlier version, the first of which had no mark.
+/// The same in files of earlier versions, which count steps; the oldest files lack it.
 constexpr double state_by_steps = -1.0;
 
 /// A taken place is tried again a few times per interval: every try rebuilds the neighbour lists.
@@ -108,7 +108,7 @@ void FixInsertDrop::init() {
   schedule();
 }
 
-/// However the time step was changed, the first step with the new one comes by here.
+/// Notices a change of the time step, by whatever command, in the first step with the new one.
 void FixInsertDrop::initial_integrate(int) {
   if (update->dt == time_step_)
     return;
@@ -139,7 +139,7 @@ double FixInsertDrop::elapsed() const {
   return elapsed_ + static_cast<double>(update->ntimestep - since_step_) * time_step_;
 }
 
-/// The step of the next drop, from the number of particles alone: rounding does not add up.
+/// The step of the next drop: counted from the first drop, so that rounding does not add up.
 void FixInsertDrop::schedule() {
   if (inserted_ >= particles_) {
     next_reneighbor = -1;
@@ -202,7 +202,7 @@ bool FixInsertDrop::is_mine(const double* x) const {
   return true;
 }
 
-/// Of a tilted box, those of the image within it along periodic directions.
+/// Coordinates in units of a tilted box, along periodic directions of the image within it.
 void FixInsertDrop::fractions_in_box(const double* x, double* fractions) const {
   double place[3] = {x[0], x[1], x[2]};
   domain->x2lamda(place, fractions);

@@ -89,7 +89,7 @@ void FixParticletemplateEllipsoid::post_create() {
       id, *body_.clump(), (1.0 / (mass_ * size * size)) * principal_moments_);
 }
 
-/// What particles have as their spacing.
+/// The value of fix property/atom `spacing` for the particles of this template.
 int FixParticletemplateEllipsoid::spacing_number() const {
   return body_.clump() ? ellipsoid::clump_spacing + clump_number_ : static_cast<int>(spacing_);
 }

@@ -44,7 +44,7 @@ class FixParticletemplateEllipsoid : public FixTemplateSphere {
   unsigned int generate_hash() override;
 
   bool planar() const { return planar_; }
-  /// Number of sub-spheres and their spacing, in words.
+  /// Number of sub-spheres and their spacing, or number of the clump, in words.
   std::string sphere_chain() const;
   /// Shape, mass and moments; neither position nor orientation.
   /// @param[in] uniform source of numbers in [0, 1), one is taken for each `vary`
@@ -55,7 +55,7 @@ class FixParticletemplateEllipsoid : public FixTemplateSphere {
   ellipsoid::Vector3 semiaxes_;          // without the random factors (length)
   ellipsoid::Vector3 principal_moments_; // about the body's x, y, z (mass length^2)
   double mass_ = 0.0;
-  double density_ = 0.0; // mass over the volume of the smooth ellipsoid
+  double density_ = 0.0; // mass over the volume of the smooth ellipsoid, or of the clump
   double smallest_bounding_radius_ = 0.0, largest_bounding_radius_ = 0.0;
   bool planar_ = false; // random angle in the xy plane
   int subspheres_ = 0;  // N of multi-sphere particles, 0: smooth

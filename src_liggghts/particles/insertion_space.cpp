@@ -70,7 +70,7 @@ class InsertionSpace : private Pointers {
   bool occupy(const ParticleToInsertEllipsoid& particle, const double* centre,
               const double* quaternion);
   bool may_fit(const ParticleToInsertEllipsoid& particle, const double* centre);
-  /// A body found no room. @return how many did not since one did
+  /// A body found no room. @return how many in a row have found none
   int count_refusal() { return ++refusals_; }
 
  private:
@@ -130,7 +130,7 @@ void InsertionSpace::add_images(const PlainBody& body, const Box& room, bool its
       }
 }
 
-/// Bodies that reach out of their rank's domain go to all ranks: the others matter only here.
+/// Bodies that reach out of their rank's domain go to all ranks; others matter only to their own.
 void InsertionSpace::load(BoundingBox& reached, double largest_radius) {
   Box room, own;
   reached.getBoxBounds(room.low, room.high);
@@ -226,7 +226,8 @@ PlainBody plain_body(const ParticleToInsertEllipsoid& particle, const double* ce
   return plain;
 }
 
-/// New bodies of two ranks, and images, never meet.
+/// Whether a body reaches out of its rank's domain, where it could meet new ones of other ranks, or
+/// images.
 bool InsertionSpace::reaches_others(const SolidBody& body, const PlainBody& plain) const {
   const bool may_meet_others =
       comm->nprocs > 1 || domain->xperiodic || domain->yperiodic || domain->zperiodic;
@@ -246,7 +247,7 @@ bool InsertionSpace::occupy(const ParticleToInsertEllipsoid& particle, const dou
   return true;
 }
 
-/// Whether another orientation may help a body that has no room here: never with spheres.
+/// Whether another orientation may help a body that has no room here: it never helps a sphere.
 bool InsertionSpace::may_fit(const ParticleToInsertEllipsoid& particle, const double* centre) {
   const double upright[4] = {1.0, 0.0, 0.0, 0.0};
   PlainBody plain = ellipsoid_host::plain_body(particle, centre, upright);
@@ -258,7 +259,7 @@ bool InsertionSpace::may_fit(const ParticleToInsertEllipsoid& particle, const do
   return space_.is_free(inscribed_ball(body));
 }
 
-/// Of the insertion at hand: one after the other is made.
+/// The space of the insertion at hand: there is only one at a time.
 std::unique_ptr<InsertionSpace>& present_space() {
   static std::unique_ptr<InsertionSpace> space;
   return space;
@@ -311,8 +312,8 @@ int try_orientations(ParticleToInsert* particle, double* centre, double* velocit
       present_space()->count_refusal() <= refusals_before ||
       !present_space()->may_fit(*body, centre))
     return 0;
-  constexpr int most_orientations = 29; // and the one before: bodies of aspect 3.5 are as dense as
-                                        // spheres then
+  constexpr int most_orientations = 29; // besides the first one: bodies of aspect 3.5 then fill a
+                                        // region as densely as spheres
   for (int k = 0; k < most_orientations; ++k) {
     MathExtraLiggghts::random_unit_quat(random, quaternion);
     if (const int inserted =

@@ -17,8 +17,8 @@ namespace ellipsoid_host {
 
 namespace {
 
-/// Properties of the host's contact, heat and wear models that are not negative; of the first ones
-/// 0 is none either.
+/// Properties of the host's contact, heat and wear models: those that have to be > 0, and those
+/// that have to be >= 0.
 constexpr const char* positive[] = {"youngsModulus", "characteristicVelocity", "kn", "kt"};
 constexpr const char* not_negative[] = {"coefficientFriction",
                                         "coefficientRollingFriction",

@@ -1,6 +1,6 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
-// The spheres of all particles: chains, or clumps.
+// The spheres of all particles: chains, other sets inside an ellipsoid, or clumps.
 #pragma once
 
 #include "multisphere/multisphere_contact.h"

@@ -19,7 +19,7 @@ namespace {
 
 constexpr char history_style[] = "contacthistory";
 
-/// The host keeps the numbers for classes derived from its own.
+/// The numbers are a protected member of the host's class: a derived class may reach them.
 struct Partners : FixContactHistory {
   static int& number(FixContactHistory& fix, int i, int k) {
     return (fix.*(&Partners::partner_))[i][k];

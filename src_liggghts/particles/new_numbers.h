@@ -28,11 +28,13 @@ class KnowsNumbers {
 /// meanwhile.
 class Renumbering {
  public:
-  /// Histories go to the particles. Stops where that is too late.
+  /// Hands the histories from the neighbour lists to the particles; stops with one line if these
+  /// are not the particles of the lists any more.
   /// @param[in] numbers_anew false: particles keep their numbers
   Renumbering(LAMMPS_NS::LAMMPS* lmp, bool numbers_anew);
   /// Whether there are contacts that know partners by numbers which change.
   bool is_needed() const { return numbers_anew_; }
+  /// Gives the contact histories the new numbers. Called on all ranks.
   void finish();
 
  private:

@@ -20,7 +20,7 @@ using namespace LAMMPS_NS;
 namespace {
 
 constexpr double unit_length_tolerance = 1e-6; // of the quaternion's square; as for data files
-constexpr double moments_tolerance = 1e-6;     // relative; a plate's lie on the bound
+constexpr double moments_tolerance = 1e-6;     // relative; those of a thin plate reach the bound
 constexpr double rounding = 1e-12;
 constexpr double radius_tolerance = 1e-3; // relative; `set ... shape` takes 1e-4 more
 // What create_atoms makes of every particle.
@@ -46,8 +46,8 @@ bool are_moments(const double* m) {
   return all_positive(m, 3) && largest <= (sum - largest) * (1.0 + moments_tolerance);
 }
 
-/// That of a clump lies between the longest of its semi-axes and the corner of their box; fix
-/// clumps/ellipsoid keeps it.
+/// Whether a bounding radius fits the semi-axes. That of a clump, which fix clumps/ellipsoid sets,
+/// lies between the longest semi-axis and half the diagonal of their box.
 bool bounds(double radius, const double* axes, bool is_clump) {
   const double longest = std::max({axes[0], axes[1], axes[2]});
   const double largest = is_clump ? std::hypot(axes[0], axes[1], axes[2]) : longest;
@@ -59,7 +59,7 @@ bool is_clump(const LAMMPS& lmp, int i) {
   return spacing && spacing->vector_atom[i] > ellipsoid::clump_spacing;
 }
 
-/// As create_atoms leaves it, in a box that holds no such thing.
+/// A particle as create_atoms makes it, in a box too small for it.
 bool is_unshaped(const Atom& atom, const Domain& domain, int i) {
   return atom.radius[i] == created_radius && atom.density[i] == created_density &&
          std::max({domain.xprd, domain.yprd, domain.zprd}) < 2.0 * created_radius;
@@ -84,7 +84,7 @@ void check(const LAMMPS& lmp, const char* caller, int i, const Demand& demand) {
   lmp.error->one(FLERR, text.str().c_str());
 }
 
-/// The cheap question for all.
+/// The quick check, which all particles pass through.
 bool is_sound(const LAMMPS& lmp, int i) {
   const Atom& atom = *lmp.atom;
   return all_positive(atom.shape[i], 3) && atom.rmass[i] > 0.0 && std::isfinite(atom.rmass[i]) &&

@@ -10,7 +10,7 @@ namespace ellipsoid_host {
 /// Stops with one line when a particle of this rank cannot be simulated: semi-axes, mass and
 /// moments must be finite and > 0 and the moments those of a body, the blockiness 2, the bounding
 /// sphere that of the semi-axes, position and velocities finite, the quaternion of length 1. The
-/// host's templates, `create_atoms`, `set` and files do not look.
+/// host's templates, `create_atoms`, `set` and readers of files do not check this.
 /// @param[in] caller begins the message
 void check_particles(LAMMPS_NS::LAMMPS* lmp, const char* caller);
 

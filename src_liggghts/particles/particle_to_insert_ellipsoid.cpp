@@ -21,7 +21,7 @@ int ParticleToInsertEllipsoid::check_near_set_x_v_omega(double* x, double* v, do
     return ParticleToInsertSuperquadric::check_near_set_x_v_omega(x, v, omega, quat, near);
   if (!ellipsoid_host::occupy(*this, x, quat))
     return 0;
-  // for templates of the host
+  // particles of the host's templates find room by this list
   near.insert_superquadric(x, radius_ins[0], quat, shape_ins, blockiness_ins);
   return ParticleToInsertSuperquadric::set_x_v_omega(x, v, omega, quat);
 }

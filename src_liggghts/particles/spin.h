@@ -32,7 +32,9 @@ void slow_spin(LAMMPS_NS::LAMMPS* lmp, int i, const double* omega);
 /// Turns the bodies of a group by the angle of one step about a unit axis, and lets them have that
 /// angular velocity (rad/time).
 void turn_with(LAMMPS_NS::LAMMPS* lmp, int groupbit, double angular_velocity, const double* axis);
-/// Energy of rotation of a group, as far as its centres lie in the region (null: everywhere).
+/// Rotational energy of the particles of a group whose centres lie in a region.
+/// @param[in] region its number, -1: everywhere
+/// @return over all ranks (energy)
 double rotational_energy_of(LAMMPS_NS::LAMMPS* lmp, int groupbit, int region);
 
 /// Adds, at the end of its life, what the bodies themselves have of the angular momentum of a

@@ -16,7 +16,7 @@ namespace ellipsoid_host {
 
 namespace {
 
-/// Of a folder no byte can be read.
+/// The bytes of a file. A folder can be opened, but reading it fails: that is told, too.
 std::string content_of(const std::string& file, std::string& problem) {
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream content;

@@ -17,7 +17,7 @@ namespace ellipsoid_host {
 
 class TemplateBody {
  public:
-  /// Of a clump from a file of spheres, read on the first rank; its lengths are times `scale`.
+  /// Reads a clump from a file of spheres, on the first rank; lengths are multiplied by `scale`.
   /// @throws std::invalid_argument one line: the file and what is wrong with it
   void read_clump(LAMMPS_NS::LAMMPS* lmp, const std::string& file, double scale);
   /// Writes the clump's spheres in its own frame, on the first rank.

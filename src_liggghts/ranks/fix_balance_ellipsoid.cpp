@@ -75,9 +75,9 @@ void FixBalanceEllipsoid::init() {
   time_at_check_ = 0.0; // as the host's clocks
 }
 
-/// With 1 the host hands meshes round and finds their cells whenever lists are built, and
-/// insertions measure their regions anew, with other random numbers after that. Here it is 1 in
-/// steps with new lists, after the insertions.
+/// While `box_change` is 1 the host hands meshes round and finds their cells whenever lists are
+/// built, and insertions measure their regions anew, which changes their random numbers. Here it is
+/// 1 in steps with new lists, after the insertions.
 void FixBalanceEllipsoid::note_box_change(bool planes_too) {
   domain->box_change = domain->box_change_size || domain->box_change_shape || planes_too ? 1 : 0;
 }

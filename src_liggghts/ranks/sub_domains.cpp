@@ -107,7 +107,7 @@ class PlanesPlanner {
   double weight_;
   std::vector<std::array<double, 3>> fractions_;
   Planes planes_;
-  double imbalance_ = HUGE_VAL; // of these planes, as long as none were planned
+  double imbalance_ = HUGE_VAL; // of these planes; infinite where none were planned
 
   const std::vector<double>& planes(int k) const { return planes_[static_cast<std::size_t>(k)]; }
 

@@ -31,7 +31,8 @@ using ellipsoid_host::WallMeshes;
 
 namespace {
 
-/// The host keeps the name of the command in work for classes derived from its own.
+/// The name of the command in work is a protected member of the host's Input: a derived class may
+/// reach it.
 struct CommandInWork : Input {
   static const char* name(Input& input) { return input.*(&CommandInWork::command); }
 };
@@ -145,8 +146,8 @@ void FixWallGranEllipsoid::post_create() {
       name.c_str(), "property/atom", "vector", history_.size(), 0, style));
 }
 
-/// A second command of one ID replaces the first in the host's list, which does not stand that the
-/// fixes of the wall's own leave the list meanwhile.
+/// Refuses a second command of the same ID: the host would replace the first in its list of fixes,
+/// which goes wrong because fixes that the wall has made leave the list meanwhile.
 void FixWallGranEllipsoid::pre_delete(bool unfixflag) {
   if (unfixflag && is_work_of(*input, "fix"))
     error->fix_error(FLERR, this,
@@ -402,9 +403,9 @@ FixWallGranEllipsoid::Heat FixWallGranEllipsoid::present_heat(int i) const {
   return heattransfer_flag_ ? Heat{fppa_hf->vector_atom[i], Q_add} : Heat{};
 }
 
-/// The host's conductance goes by the square root of the area in which a sphere and a plane
-/// overlap, and there is none where the sphere is beyond the wall; the contact's models may have
-/// put the sphere of an elliptic contact.
+/// The host's conductance is proportional to the square root of the area in which a sphere
+/// (sphere_of_heat()) overlaps a plane; there is none where the sphere is beyond the wall. Here it
+/// is scaled to the reduced radius of the contact.
 void FixWallGranEllipsoid::weigh_heat(int i, const Heat& before, const WallContact& contact,
                                       double weight) {
   const double sphere = sphere_of_heat(i, curvature_radius_i);

@@ -51,7 +51,7 @@ class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
     apply_batch();
   }
 
-  // of the contacts beyond the slots that each particle has
+  // histories of the contacts beyond the slots that each particle has
   int largest_row() const override;
   double memory_usage() override;
   void copy_arrays(int from, int to, int) override { more_history_.copy(from, to); }

@@ -22,8 +22,8 @@ struct WallCylinder {
 /// @param[in] narg, arg all arguments of the command
 WallCylinder check_wall_command(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
-/// The names of the models and their settings: what the history of the contacts depends on, apart
-/// from where the wall is, how it moves and how hot it is.
+/// The names of the models and their settings, on which the history of the contacts depends;
+/// without the place, motion and temperature of the wall.
 /// @param[in] settings index of the first argument behind those that the host has read
 std::string wall_law(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg, int settings);
 

@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // Finds the contacts of one particle with a wall: a class per kind of wall, for smooth ellipsoids
-// or for chains of spheres. Which one is chosen when the wall is set up.
+// or for bodies of spheres. One of them is chosen when the wall is defined.
 #pragma once
 
 #include "atom.h"

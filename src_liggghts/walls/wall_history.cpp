@@ -20,8 +20,7 @@ const double smallest_cosine = std::sqrt(0.5);
 /// A smooth ellipsoid counts as its first and only sphere.
 double sphere_from_one(const WallContact& c) { return std::max(0, c.sphere) + 1; }
 
-/// Contacts and slots of the same sphere lie one after the other then, as they were among
-/// themselves.
+/// Sorts the numbers of contacts or slots by their spheres; those of one sphere keep their order.
 template <class SphereOf> void order_by_sphere(std::vector<int>& numbers, const SphereOf& sphere) {
   const auto before = [&](int k, int l) { return sphere(k) < sphere(l); };
   if (!std::is_sorted(numbers.begin(), numbers.end(), before))

@@ -65,7 +65,8 @@ class WallMeshes : private LAMMPS_NS::Pointers {
   }
   /// Relative to the particle's centre.
   const std::vector<ellipsoid::Triangle>& triangles() const { return triangles_; }
-  /// For find_mesh_contacts(): the meshes' own angle `curvature` decides.
+  /// For find_mesh_contacts(): whether two triangles are parts of one flat or curved surface; the
+  /// mesh's setting `curvature` decides.
   bool same_surface(int first, int second) const;
   /// Velocity of a point of a near triangle.
   ellipsoid::Vector3 velocity(int triangle, const ellipsoid::Vector3& point) const;
@@ -73,7 +74,7 @@ class WallMeshes : private LAMMPS_NS::Pointers {
   bool adjoining(double code, int triangle) const;
 
  private:
-  /// Of all near triangles of a particle those within reach are a part.
+  /// A particle and its near triangles, of which those within reach are a part.
   struct Particle {
     int particle = 0;
     std::size_t first = 0, last = 0;   ///< of its near triangles in pairs_
