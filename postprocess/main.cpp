@@ -24,7 +24,7 @@ void keep_free_memory() {
 #endif
 }
 
-/// "-.5" would be taken for an option: "-0.5".
+/// Makes "-0.5" of "-.5", which would be taken for an option.
 void complete_number(std::string& word) {
   if (word.size() > 2 && word[0] == '-' && word[1] == '.' && word[2] >= '0' && word[2] <= '9')
     word.insert(1, "0");

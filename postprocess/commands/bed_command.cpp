@@ -42,7 +42,7 @@ BedRegion region_of(const BedOptions& options) {
   return region;
 }
 
-/// What a frame's measures need.
+/// A frame as its measures take it.
 struct BedFrame {
   UpDirection up;
   BedRegion region;

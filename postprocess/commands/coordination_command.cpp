@@ -31,7 +31,7 @@ struct CoordinationCommandOptions : PileCommandOptions {
   std::string of_piles; ///< an option that was given and has no effect in space
 };
 
-/// Walls that are told, and those of the run.
+/// Walls that the options give, and those of the run.
 std::vector<SpaceWall> walls_in_space(const CoordinationCommandOptions& options,
                                       const ChosenFrame& chosen) {
   std::vector<SpaceWall> walls = space_walls(options.space_walls);
@@ -101,7 +101,7 @@ void require_effect(const CoordinationCommandOptions& options,
     throw InputError("--contact-gap has no effect with --contacts and without walls: leave it out");
 }
 
-/// All particles of a packing in space, with the walls that are told.
+/// All particles of a packing in space, with the walls of the options and of the run.
 Row space_row(const CoordinationCommandOptions& options, ContactLists& lists,
               const ChosenFrame& chosen) {
   const double mean_b = mean_smallest_axis(chosen.set, all_members(chosen.set));

@@ -39,7 +39,7 @@ double usual_width(const ParticleSet& set) {
   return sum / static_cast<double>(set.particles.size());
 }
 
-/// Longest way from a particle's centre to a contact that can be (length).
+/// No contact of a particle is farther from its centre than this (length).
 double longest_way(const ParticleSet& set) {
   double longest = 0.0;
   for (const Particle& p : set.particles)
@@ -80,7 +80,7 @@ class FieldFrames {
     blocks_.add(sums);
   }
 
-  /// Of all frames so far: the rows of their mean, with --average.
+  /// With --average: adds the rows of the mean over all frames so far.
   void add_mean() {
     if (blocks_.frames() == 0)
       return;
@@ -135,7 +135,7 @@ class FieldFrames {
     write_text(name_with_step(options_.vti, timestep), vti_text(image));
   }
 
-  /// Of all numbers of the fields at a point; empty for less than two frames.
+  /// Standard errors of all numbers of the fields at a point; empty for less than two frames.
   std::vector<double> errors_at(std::size_t point) const {
     return blocks_.standard_errors(
         point, [this](const FieldSums& sums) { return field_numbers(fields_of(sums), known()); });

@@ -87,7 +87,7 @@ int render_frames(const FilmOptions& options, const std::string& names) {
   return render_piles(plane);
 }
 
-/// A path whose signs a pattern would take for its own stand for themselves.
+/// A path for a pattern: signs that the pattern would interpret are escaped.
 std::string literal_in_pattern(const std::string& path) {
   std::string text;
   for (const char letter : path)

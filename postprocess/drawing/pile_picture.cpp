@@ -21,7 +21,7 @@ constexpr double side_margin = 60.0, top_margin = 70.0, bottom_margin = 110.0, w
 /// Plane coordinates to pixels.
 struct Projection {
   PileView view;
-  double scale = 1.0, left = 0.0, top = 0.0, unit = 1.0; ///< unit: pixels of one at width 1600
+  double scale = 1.0, left = 0.0, top = 0.0, unit = 1.0; ///< unit: pixels for 1 at width 1600
 
   PixelPoint at(const Point& p) const {
     return {left + (p.x() - view.left) * scale, top + (view.top - p.y()) * scale};

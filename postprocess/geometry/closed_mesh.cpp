@@ -115,7 +115,7 @@ std::vector<Triangle3> checked_closed(std::vector<Triangle3> triangles, const st
   return triangles;
 }
 
-/// Sums over the tetrahedra of each triangle and the origin of the box.
+/// Sums over the tetrahedra that the triangles form with the middle of the box.
 MeshMeasures measure_mesh(const std::vector<Triangle3>& triangles) {
   MeshMeasures m;
   m.box = {triangles.front()[0], triangles.front()[0]};

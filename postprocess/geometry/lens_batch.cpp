@@ -26,7 +26,7 @@ struct Direction {
   double cosine, sine;
 };
 
-/// Turned by 2 atan(a / 2) with a = over / under: by a itself up to its third power.
+/// Turned by 2 atan(a / 2) with a = over / under, which is a up to terms of third order.
 inline Direction turned(const Direction& d, double over, double under) {
   const double square = over * over, four = 4.0 * under * under, scale = 1.0 / (four + square);
   const double c = (four - square) * scale, s = 4.0 * over * under * scale;

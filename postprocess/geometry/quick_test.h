@@ -36,7 +36,7 @@ inline QuickTest quick_test(const SymmetricMatrix3& i, const SymmetricMatrix3& j
   const double sum = s_i + s_j;
   const bool touch = std::max((1.0 - lambda) * s_i, lambda * s_j) < well_inside * determinant;
   const double next = sum > 0.0 ? next_lambda(s_i, s_j) : lambda;
-  return {sum < dot(y, d), touch, {y.x, y.y, y.z}, next}; // number by number: vectors
+  return {sum < dot(y, d), touch, {y.x, y.y, y.z}, next}; // by numbers: else no vector loop
 }
 
 /// Two tests of each of many pairs. All take the same operations: the compiler turns the loop into

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double scale_steps = 1e5; ///< spheres of templates are compared to this share of the size
+constexpr double scale_steps = 1e5; ///< templates are compared to 1 / scale_steps of their size
 
 double component(const Vector3& v, unsigned axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;

@@ -16,8 +16,8 @@ class FrameReader {
   /// Fills the next whole frame (its memory is used again); false at the end of the file.
   /// Throws InputError; frames given before stay valid.
   virtual bool next(Frame& frame) = 0;
-  /// The same, but the rows may be left as text: what read_rows() would throw for them then takes
-  /// the location of all that is given or thrown later.
+  /// The same, but the rows may be left as text for read_rows(). What that throws comes before all
+  /// that is given or thrown later: those frames do not count then.
   virtual bool next_unread(Frame& frame) { return next(frame); }
   /// Bytes on disk consumed so far.
   virtual std::uint64_t consumed() const = 0;

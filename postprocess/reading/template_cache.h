@@ -13,9 +13,9 @@ namespace ellipsoid::post {
 /// Multi-sphere templates by size, number and spacing; each is computed once.
 class TemplateCache {
  public:
-  /// @param[in] semiaxes a > b = c of chains, any of the spacings medial and minimax_volume
-  /// (length) Throws std::invalid_argument when it cannot be built (even N, a <= b, b != c, too
-  /// small N).
+  /// Throws std::invalid_argument when it cannot be built (even N, a <= b, b != c, too small N).
+  /// @param[in] semiaxes a > b = c for chains, any for the spacings medial and minimax_volume
+  ///            (length)
   const SphereSet& find(const Vector3& semiaxes, int subspheres, SphereSpacing spacing);
 
  private:

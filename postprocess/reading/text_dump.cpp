@@ -49,7 +49,7 @@ InputError TextDumpReader::cut_off(const std::string& expected) const {
   return unexpected(location, expected, "the end of the file (the last frame is cut off)");
 }
 
-/// A line that cannot be read is one of the frame.
+/// Adds the frame to the location of a line that cannot be read.
 bool TextDumpReader::next_line(std::string_view& line) {
   try {
     return lines_.next(line);

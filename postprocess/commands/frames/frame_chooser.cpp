@@ -118,7 +118,7 @@ void FrameChooser::hand_over(Frame& frame) {
 }
 
 void FrameChooser::hand_to_workers(Frame& frame) {
-  // in memory at the same time, or a single frame
+  // in memory at the same time; a single frame may have more
   constexpr std::size_t most_rows = 1000000, most_text = std::size_t{1} << 28;
   while (!waiting_.empty() &&
          (waiting_.size() >= most_frames_ || rows_waiting_ + frame.rows > most_rows ||

@@ -43,7 +43,7 @@ class FrameChooser {
   struct Waiting {
     std::future<Outcome> outcome;
     std::unique_ptr<Frame> frame;
-    std::size_t text; ///< that its rows were (bytes)
+    std::size_t text; ///< size of its rows as text (bytes)
   };
 
   bool next_of(FrameStream& stream);
@@ -66,7 +66,7 @@ class FrameChooser {
   Frame frame_, last_;
   bool has_last_ = false, is_done_ = false;
   bool is_found_ = false;             ///< the frame of the time step that was asked for
-  bool is_unreadable_ = false;        ///< rows of a frame that was given to the threads
+  bool is_unreadable_ = false;        ///< rows of a frame that the threads have read
   std::size_t chosen_ = 0, seen_ = 0; ///< frames
   std::size_t rows_waiting_ = 0, text_waiting_ = 0; ///< rows, bytes
   std::int64_t first_step_ = 0, last_step_ = 0;     ///< of the frames that were seen

@@ -65,7 +65,7 @@ std::vector<std::string> incomplete_runs(const Table& runs) {
   for (const Row& row : runs.rows) {
     const Value* state = find_value(row, "run_is_complete");
     const Value* run = find_value(row, "run");
-    double number = 1.0; // in a CSV file
+    double number = 1.0; // CSV files hold 1 and 0
     if (state && (*state == Value(false) || (as_number(*state, number) && number == 0.0)))
       names.push_back(run ? shown(*run) : "?");
   }

@@ -22,7 +22,7 @@ struct FilmRange {
 /// Adds one frame to what is shared.
 using AddToFilm = std::function<void(FilmRange&, const ChosenFrame&)>;
 
-/// Goes through all frames once, without a word, those without particles left out.
+/// Goes through all frames once, without messages; those without particles are left out.
 /// Throws InputError for runs that can be read once only (pipes).
 FilmRange film_range(const FrameOptions& frames, const AddToFilm& add);
 

@@ -14,7 +14,7 @@
 namespace ellipsoid::post {
 namespace {
 
-/// Of all pictures of runs together: base64 makes four bytes of three, and tables need room too.
+/// Bytes of all pictures together: base64 makes four bytes of three, and tables need room, too.
 constexpr std::size_t largest_sum = 1200000;
 
 /// Widths of pictures, the largest that fits is taken (pixels).

@@ -16,8 +16,8 @@ namespace ellipsoid::post {
 
 std::size_t count_of_runs(const FrameOptions& frames);
 
-/// PNG, or SVG where the build draws no PNG, as large as the page's share for each of so many runs
-/// allows.
+/// PNG, or SVG where the build draws no PNG, as wide as one run's share of the bytes of a page with
+/// so many runs allows.
 std::string picture_in_space(const ParticleSet& upright, const std::string& title,
                              std::size_t runs);
 

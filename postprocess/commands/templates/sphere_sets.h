@@ -16,7 +16,7 @@ namespace ellipsoid::post {
 struct SetOptions {
   std::vector<double> semiaxes; ///< a b c along x, y, z (m); empty: not given
   std::string clump, mesh;      ///< files that are read
-  double needed_within = 0.0;   ///< of the table of numbers
+  double needed_within = 0.0;   ///< share of the volume, for a table of needed N; 0: none
   std::vector<double> ratios = {0.2, 0.4, 0.6, 0.8, 1.0};
   std::string map, picture; ///< files that are drawn
 

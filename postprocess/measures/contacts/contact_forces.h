@@ -8,10 +8,10 @@
 
 namespace ellipsoid::post {
 
-/// Magnitudes of contact forces (paper-independent: the usual measures of force chains).
+/// Statistics of the magnitudes of contact forces, as is usual for force chains.
 struct ForceStatistics {
   std::size_t count = 0;
-  double mean = 0.0, largest = 0.0;
+  double mean = 0.0, largest = 0.0; ///< (force)
   double strong_share = 0.0;        ///< forces above the mean, share of the number
   double strong_load_share = 0.0;   ///< the same, share of the sum
   std::vector<double> distribution; ///< density of f / mean in bins 0.25 wide from 0

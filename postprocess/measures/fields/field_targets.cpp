@@ -85,7 +85,7 @@ class PointTargets : public FieldTargets {
                  FieldRange range) override {
     const Vector3 way = end - begin, home = cell_.wrapped(begin);
     const double length = norm(way);
-    if (!(length > 1.0e-9 * function_.width())) { // no longer than a point
+    if (!(length > 1.0e-9 * function_.width())) { // practically a point
       add_at(begin, source, range);
       return;
     }

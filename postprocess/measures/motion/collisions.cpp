@@ -7,7 +7,7 @@
 
 namespace ellipsoid::post {
 
-/// Of the second particle's point of contact as seen from the first one's.
+/// Velocity of the second particle's point of contact relative to the first one's.
 Vector3 Collisions::relative_velocity(const Motion& first, const Motion& second,
                                       const Touching& contact) {
   return second.velocity + cross(second.spin, contact.lever_2) - first.velocity -
@@ -36,7 +36,7 @@ Collisions::Touching Collisions::begun(const ParticleSet& set, const TouchingPai
   return fresh;
 }
 
-/// Of the pairs that touch no longer those that were seen from begin to end.
+/// Collisions of the pairs that have parted, as far as their beginning was seen as well.
 std::vector<Collision> Collisions::ended(const std::map<std::int64_t, Motion>& motions,
                                          double time) const {
   std::vector<Collision> ended;

@@ -24,8 +24,8 @@ double side_of(const Point2& a, const Point2& b, const Point2& p) {
   return is_turned ? -area_of(b, a, p) : area_of(a, b, p);
 }
 
-/// Whether a point lies in a triangle, counter-clockwise; of two triangles that share an edge one
-/// has it: that to whose left it goes down, or level to the left.
+/// Whether a point lies in a triangle with counter-clockwise corners. A point on an edge that two
+/// triangles share lies in one of them: the one that passes it downwards, or if level to the left.
 bool lies_in(const std::array<Point2, 3>& corners, const Point2& p) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Point2 &a = corners[k], &b = corners[(k + 1) % 3];

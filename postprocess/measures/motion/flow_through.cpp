@@ -140,7 +140,7 @@ std::vector<GateCrossing> plane_crossings(const FlowGate& gate, const Vector3& b
 
 } // namespace
 
-/// Adds what one particle's step from frame to frame means.
+/// Adds what one particle's way from frame to frame contributes to a step.
 void FlowThrough::move(const Particle& particle, const State& before, const State& now, double mass,
                        const PeriodicCell& cell, FlowStep& step) const {
   const Vector3 straight = now.centre - before.centre, way = steps_.way(before.named, now.named);

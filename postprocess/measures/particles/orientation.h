@@ -15,7 +15,7 @@ struct PrincipalAxes {
   Vector3 direction; ///< unit
 };
 
-/// sum of w n n^T as a tensor from unit vectors n, divided by their number.
+/// Of the mean of n n^T over unit vectors n.
 PrincipalAxes mean_dyad(const std::vector<Vector3>& directions);
 
 /// The axis that tells how a body lies.

@@ -25,8 +25,9 @@ struct Solid {
 /// About the origin, semi-axes along x, y, z.
 Solid solid_ellipsoid(const Vector3& semiaxes);
 
-/// Distances between two outlines (length). Largest ones are those of some ten thousand points, and
-/// so may be too small by their distances squared.
+/// Distances between two outlines (length). The largest ones are taken over some ten thousand
+/// points and may be too small: by terms of second order in the distance between neighbouring
+/// points.
 struct OutlineDistances {
   double largest_to_spheres = 0.0, mean_to_spheres = 0.0; ///< from points of the solid's surface
   double largest_to_solid = 0.0, mean_to_solid = 0.0;     ///< from points of the spheres'
