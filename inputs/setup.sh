@@ -83,7 +83,7 @@ show_progress() {
     if [[ $status -eq 0 ]]; then
       progress_of "$rest" || true
       rest=""
-    elif [[ $status -le 128 ]]; then # the end, not the second's
+    elif [[ $status -le 128 ]]; then # end of the input, no timeout
       break
     fi
     if [[ $on_terminal && $SECONDS -gt $shown ]]; then
@@ -126,8 +126,8 @@ what_bars() {
     sort -u | paste --serial --delimiters=' '
 }
 
-# vtk_or_without VALUE PACKAGE...: VALUE of -DELLIPSOID_VTK, packages that go with it: where VTK's packages do not go with what is
-# installed, one line says so, and the build goes on without VTK unless it was asked for.
+# vtk_or_without VALUE PACKAGE...: VALUE of -DELLIPSOID_VTK, packages that are installed with it. Where VTK's packages
+# conflict with what is installed, one line says so, and the build goes on without VTK unless it was asked for.
 vtk_or_without() {
   local vtk_option=$1 barring
   shift

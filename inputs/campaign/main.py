@@ -54,7 +54,7 @@ def at_most(word, largest):
 
 
 def check_calibration(given, runs):
-    """What is wrong with it is said before the runs, not after them."""
+    """(name, column, value) of --calibrate, or None; raises Misuse before the runs rather than after them."""
     if given.calibrate is None:
         return None
     asked = calibration.parse(given.calibrate)

@@ -25,7 +25,7 @@ def variables_in(text):
 
 
 def check_names(names, input_file, known):
-    """A name that the script does not have would change nothing, without a word."""
+    """Refuses a name that the script does not have: the engine would take it, and nothing would change."""
     for name in names:
         if name not in known:
             raise Misuse(f"{input_file} has no line 'variable {name} index ...'; it has {', '.join(known) or 'none'}")

@@ -179,7 +179,7 @@ def version_of(engine):
 
 
 def name_engine(campaign, folder):
-    """Inputs that append to their log: which engine ran comes first in it, for the report."""
+    """Begins the log of an input that appends to it with the engine's version, which the report shows."""
     log = folder / f"log.{campaign.input_file.stem}"
     if campaign.can_resume() and not log.exists():
         text = subprocess.run([campaign.engine, "-help", "-log", "none"], capture_output=True, text=True,

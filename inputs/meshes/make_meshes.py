@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Writes the meshes of inputs/hopper.in (hopper and silo), drum.in and benchmark_*.in, ASCII STL in metres, into the present folder.
+"""Writes the meshes of inputs/hopper.in (hopper and silo), drum.in and benchmark_*.in into the present folder:
+ASCII STL in metres.
 
     python3 make_meshes.py
 

@@ -104,8 +104,8 @@ def pile_groups(rows):
 
 
 def print_piles(rows):
-    """Means with twice their standard errors; the friction that a smooth ellipsoid needs more for the same angle, by the
-    lower and the upper end of 95 % of draws."""
+    """Means with twice their standard errors; how much more friction a smooth ellipsoid needs for the same angle: lower
+    and upper end of 95 % of the draws."""
     groups = pile_groups(rows)
     spread = {key: v.std(axis=0, ddof=1) / np.sqrt(len(v)) for key, v in groups.items()}
     angles = {key: ({"friction": v[:, 0].mean()}, {"friction": spread[key][0]}, len(v)) for key, v in groups.items()}

@@ -32,7 +32,7 @@ def raster(pile, surface):
 
 
 def porosities(pile, surface):
-    """{reading: porosity}; lines are those of cuts of 20 %, "middle" and "inner region" go by that by height."""
+    """{reading: porosity}; lines leave out 20 % at each end, "middle" and "inner region" take the one by height."""
     x, y, solid = raster(pile, surface)
     _, intercept, slope = line(surface)
     first, end = segment(surface, "height", 0.2)

@@ -11,7 +11,7 @@ SIDE, AXES = 0.03, (3e-3, 1e-3, 1e-3)
 COMPARED = [("x", "y", "z"), ("vx", "vy", "vz"), ("omegax", "omegay", "omegaz"),
             ("quat1", "quat2", "quat3", "quat4")]
 
-#: a row of thermo output has imbalance, the same before and after the last look, shifts, most particles of a rank
+#: thermo output: imbalance, imbalance before and after the last check, shifts, most particles of a rank
 SHOW = "thermo_style custom step atoms f_share f_share[1] f_share[2] f_share[3] f_share[4]\nthermo 20\n"
 
 

@@ -1,8 +1,8 @@
 """Forces between ellipsoids, and between chains of spheres or clumps, by brute force: all pairs, all images, every step.
 
 Written for the adversarial tests, from the paper's equations and the definitions of the host's models alone; it shares
-no code with the engine, its tools or the other tests, and keeps no list of neighbours. Positions are unwrapped (m); quaternions are scalar first,
-body to space; SI units throughout.
+no code with the engine, its tools or the other tests, and keeps no list of neighbours. Positions are unwrapped (m);
+quaternions are scalar first, body to space; SI units throughout.
 """
 
 import itertools
