@@ -80,7 +80,7 @@ void require_one_motion(const Particle& body, const Particle& sphere, const Fram
 /// that is nearest to one of those whose position is known.
 void put_together(Sphere* begin, const Sphere* end, const PeriodicCell& cell) {
   const auto count = static_cast<std::size_t>(end - begin);
-  std::vector<Vector3> ways(count); // from the nearest sphere whose position is known
+  std::vector<Vector3> ways(count); // places: of the image nearest to a sphere that has its place
   std::vector<double> distances(count, std::numeric_limits<double>::infinity());
   std::vector<bool> has_place(count, false);
   for (std::size_t last = 0, placed = 1; placed < count; ++placed) {

@@ -12,9 +12,10 @@ double body_volume(const ParticleSet& set, const Particle& particle);
 double volume_radius(double volume);
 
 /// Inertia about the centre in the space frame (mass length^2): of the columns inertiax.. where the
-/// file has them; else of the solid ellipsoid with the particle's semi-axes, with which the engine
-/// moves chains of spheres, too, and `template --multisphere` the host's chains; of the homogeneous
-/// union of the spheres for the host's other bodies.
+/// file has them; else of a clump's template; of the homogeneous union of the spheres for the
+/// host's bodies that are no chains; of the solid ellipsoid with the particle's semi-axes for all
+/// others: with it the engine moves chains of spheres, too, and `template --multisphere` the
+/// host's.
 SymmetricMatrix3 body_inertia(const ParticleSet& set, const Particle& particle, double mass);
 
 } // namespace ellipsoid::post

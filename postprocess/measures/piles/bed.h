@@ -35,8 +35,8 @@ struct BedSlice {
 using BedSurface = std::optional<HeightMap>;
 
 /// Porosity in a region: the exact area of the union of sections (each point counted once) in
-/// planes of constant z, integrated over z by the midpoint rule in `planes` planes. The error
-/// estimate is the difference to the rule with every second pair of planes joined.
+/// planes of constant z, integrated over z by the midpoint rule in `planes` planes (rounded up to a
+/// multiple of 4). The error estimate is the change when only planes 0, 3, 4, 7, 8 ... are used.
 /// A cylinder's section is a regular polygon of 360 corners with the circle's area. Below a surface
 /// the region's volume is summed over the surface's columns (shares of columns at the region's
 /// edge: exact for a box, in 16 parts for a cylinder).

@@ -60,7 +60,7 @@ std::vector<PlaneWall> walls_of(const PileOptions& options);
 NearPairs near_pairs(const ParticleSet& set, const PileOptions& options);
 
 /// The pile: the connected cluster of particles that touches the wall (the largest if several
-/// do; without a wall the largest cluster of all) and its outlines.
+/// do; without a wall, or if none does, the largest cluster of all) and its outlines.
 /// Throws InputError when there are no particles.
 /// @param[in] near see near_pairs(), @param[in] touching see pile_members()
 PileBody find_pile_body(const ParticleSet& set, const PileOptions& options, NearPairs near,
