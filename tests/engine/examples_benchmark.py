@@ -63,8 +63,8 @@ class Silo(unittest.TestCase):
         points = surface_points(columns)
         height = points[..., 2]
         beyond = (np.hypot(points[..., 0], points[..., 1]) - self.wall(height)).max()
-        # the mesh is a polygon inside the cone; contacts give way by 1 % of a radius
-        self.assertLess(beyond, 0.01 * self.RADIUS)
+        # the mesh is a polygon inside the cone; a contact gives way as to a sphere that has fallen since the run began
+        self.assertLess(beyond, hertz_depth(1, self.RADIUS, GRAVITY * self.SHORT["fill"], self.SOFTEN))
 
     def test_ellipsoids_leave_at_the_rate_of_beverloos_law(self):
         run_example("benchmark_silo", {**self.SHORT, "out": "silo"})
