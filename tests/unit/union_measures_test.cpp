@@ -253,19 +253,27 @@ TEST(UnionMeasures, WhatIsHiddenChangesNothing) {
   const SphereSet set = random_set(8, 5, 1.0);
   const UnionMeasures wanted = measure_union(set);
   SphereSet more = set;
-  for (std::size_t k = 0; k < set.radii.size(); ++k) { // contained, touching inside, identical
+  for (std::size_t k = 0; k < set.radii.size();
+       ++k) { // contained, touching inside, about one centre
     more.centres.insert(more.centres.begin(), set.centres[k] + Vector3{0.1, 0.0, 0.05});
     more.radii.insert(more.radii.begin(), set.radii[k] - 0.15);
     more.centres.push_back(set.centres[k] + Vector3{0.0, 0.5 * set.radii[k], 0.0});
     more.radii.push_back(0.5 * set.radii[k]);
     more.centres.push_back(set.centres[k]);
-    more.radii.push_back(set.radii[k]);
+    more.radii.push_back(0.9 * set.radii[k]);
   }
   const UnionMeasures found = measure_union(more);
   EXPECT_NEAR(found.volume, wanted.volume, 1e-12);
   EXPECT_NEAR(found.surface, wanted.surface, 1e-6); // a point's touching: its cap's rounding
   EXPECT_NEAR(norm(found.centre - wanted.centre), 0.0, 1e-12);
   expect_near(found.inertia, wanted.inertia, 1e-12);
+}
+
+TEST(UnionMeasures, EqualSpheresAreRefused) {
+  SphereSet set = random_set(8, 5, 1.0);
+  set.centres.push_back(set.centres[2]);
+  set.radii.push_back(set.radii[2]);
+  EXPECT_ANY_THROW(measure_union(set));
 }
 
 TEST(UnionMeasures, SpheresThroughOneCircle) {
