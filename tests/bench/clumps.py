@@ -2,7 +2,9 @@
 law and bodies: stones that fall, most of them alone, or a dense bed of several layers. Prints ns of processor time per body and step, and the
 ratio, measured in one run, one after the other, twice; the faster of each counts.
 
-    PYTHONPATH=tests/engine ELLIPSOID_BIN=build/bin python3 tests/bench/clumps.py [--dense] [FOLDER]
+    python3 tests/bench/clumps.py [--dense] [FOLDER]
+
+ELLIPSOID_BIN: folder of the engine, build/bin of this tree where it is not given. Needs numpy.
 """
 
 import os
@@ -11,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
+os.environ.setdefault("ELLIPSOID_BIN", str(Path(__file__).resolve().parent.parent.parent / "build" / "bin"))
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "engine"))
 from _engine import LAW, Particle, Setup, dump, ellipsoids_data, read_dump, rigid_bodies, run  # noqa: E402
 from _multisphere import multisphere_setup, wall  # noqa: E402

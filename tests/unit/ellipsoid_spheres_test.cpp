@@ -201,6 +201,24 @@ TEST(EllipsoidSpheres, EvenNumbers) {
       }
 }
 
+TEST(EllipsoidSpheres, NoSphereOfAnEvenSetStandsTwice) {
+  for (const Vector3& s : {Vector3{3.0, 2.0, 1.0},
+                           {2.0, 1.5, 1.0},
+                           {2.0, 2.0, 1.0},
+                           {1.0, 1.0, 0.5},
+                           {2.7, 1.5, 1.0},
+                           {3.0, 1.0, 1.0},
+                           {1.0, 3.0, 2.0}})
+    for (int n = 28; n <= 120; n += 2) {
+      const SphereSet set = make_ellipsoid_spheres(s, n, SphereSpacing::medial);
+      ASSERT_EQ(set.count(), n);
+      for (std::size_t k = 0; k < set.radii.size(); ++k)
+        for (std::size_t l = 0; l < k; ++l)
+          EXPECT_GT(norm(set.centres[k] - set.centres[l]), 1e-6 * s.x)
+              << n << ": " << k << " " << l;
+    }
+}
+
 TEST(EllipsoidSpheres, EvenLevelsHoldEachOther) {
   for (const Vector3& s : shapes) {
     const SphereSet fine = make_ellipsoid_spheres(s, 200, SphereSpacing::medial);

@@ -88,14 +88,21 @@ std::vector<Candidate> left_by_centre(const std::vector<Candidate>& candidates,
   return open;
 }
 
-/// Instead of the centre sphere, of pairs within the room the one farthest apart.
+bool is_placed(const MirroredSphere& sphere, const std::vector<MirroredSphere>& placed) {
+  return std::any_of(placed.begin(), placed.end(), [&sphere](const MirroredSphere& other) {
+    return other.x == sphere.x && other.y == sphere.y;
+  });
+}
+
+/// Instead of the centre sphere, of pairs within the room that are not there yet the one farthest
+/// apart.
 MirroredSphere pair_for_centre(const std::vector<Candidate>& candidates,
                                const std::vector<MirroredSphere>& placed) {
   double floor = 0.0, least = std::numeric_limits<double>::infinity();
   const std::vector<Candidate> open = left_by_centre(candidates, placed, floor);
   std::vector<std::pair<MirroredSphere, double>> pairs; // with the gaps they leave
   for (const Candidate& pair : candidates) {
-    if (!(pair.sphere.x > 0.0) || pair.sphere.y > 0.0)
+    if (!(pair.sphere.x > 0.0) || pair.sphere.y > 0.0 || is_placed(pair.sphere, placed))
       continue;
     double gap = floor;
     for (const Candidate& candidate : open)
