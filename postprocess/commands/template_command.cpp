@@ -245,6 +245,20 @@ void add_comparison_options(CLI::App& command, TemplateOptions& options) {
   recommend->excludes(compare)->excludes(command.get_option("--aspect"));
 }
 
+/// Options that a set of spheres, or the table of the numbers needed, does not ask.
+void refuse_idle_options_of_sets(const CLI::App& command, const TemplateOptions& options) {
+  if (options.sets.needed_within > 0.0)
+    refuse_without_effect(command,
+                          {"--aspect", "--b", "--subspheres", "--spacing", "--tolerance",
+                           "--measure", "--mass", "--multisphere", "--molecule", "--spheres",
+                           "--vtp", "--stl"},
+                          "with --needed");
+  else if (options.tolerance > 0.0)
+    refuse_without_effect(command, {"--subspheres"}, "with --tolerance");
+  else
+    refuse_without_effect(command, {"--measure"}, "without --tolerance");
+}
+
 void refuse_idle_options(const CLI::App& command, const TemplateOptions& options) {
   if (options.tolerance > 0.0)
     refuse_without_effect(command, {"--subspheres"}, "with --tolerance");
@@ -286,7 +300,9 @@ void add_template_command(CLI::App& program, int& exit_code) {
   add_comparison_options(*command, *options);
   add_output_options(*command, options->output);
   command->callback([command, options, &exit_code] {
-    if (!options->sets.are_asked())
+    if (options->sets.are_asked())
+      refuse_idle_options_of_sets(*command, *options);
+    else
       refuse_idle_options(*command, *options);
     exit_code = run(*command, *options);
   });

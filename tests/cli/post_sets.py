@@ -194,6 +194,10 @@ def check_tolerance():
     (row,) = rows_of("template", "--semiaxes", *SEMIAXES, "--tolerance", 0.05, "--measure", "outline",
                      "--spacing", "minimax_volume")
     assert max(float(row["largest_to_spheres_c"]), float(row["largest_to_body_c"])) <= 0.05
+    for words, reason in ((("--semiaxes", *SEMIAXES, "--subspheres", 33, "--tolerance", 0.05), "--subspheres: has no effect with --tolerance"),
+                          (("--semiaxes", *SEMIAXES, "--subspheres", 33, "--measure", "volume"), "--measure: has no effect without --tol"),
+                          (("--needed", 0.1, "--measure", "outline"), "--measure: has no effect with --needed")):
+        assert reason in post("template", *words, expect=2)[1]
     rows = rows_of("template", "--needed", 0.1, "--ratios", "0.6,1")
     assert [(row["b_a"], row["c_a"]) for row in rows] == [("0.6", "0.6"), ("1", "0.6")], rows
     for row in rows:
