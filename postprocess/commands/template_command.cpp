@@ -245,7 +245,7 @@ void add_comparison_options(CLI::App& command, TemplateOptions& options) {
   recommend->excludes(compare)->excludes(command.get_option("--aspect"));
 }
 
-/// Options that a set of spheres, or the table of the numbers needed, does not ask.
+/// Options that a set of spheres, or the table of the numbers needed, does not use.
 void refuse_idle_options_of_sets(const CLI::App& command, const TemplateOptions& options) {
   if (options.sets.needed_within > 0.0)
     refuse_without_effect(command,

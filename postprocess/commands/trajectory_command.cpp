@@ -49,7 +49,7 @@ struct FollowedRun {
   FrameClock clock;
 };
 
-/// Lags of several origins are the same number of frames: they must be the same time.
+/// A lag is a number of frames: from every origin it must be the same time.
 void require_even_frames(const FollowedRun& run) {
   constexpr double rounding = 1e-6; // six digits of a time in the file
   const auto moment = [&run](std::size_t k) {

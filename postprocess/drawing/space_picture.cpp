@@ -141,7 +141,7 @@ Colour body_colour(const DepthBuffer& buffer, const std::vector<Colour>& colours
   return {c.red * light, c.green * light, c.blue * light};
 }
 
-/// The same behind what lies in front of it.
+/// Colour that a ray shows: a line's, or the body's behind the walls in front of it.
 Colour ray_colour(const DepthBuffer& buffer, const std::vector<Colour>& colours, std::size_t i,
                   std::size_t j) {
   const std::size_t ray = j * buffer.width + i;

@@ -38,7 +38,7 @@ bool number_at(const Row& row, const std::string& key, double& number) {
   return value && as_number(*value, number) && std::isfinite(number);
 }
 
-/// Rows that have a column, and how many of them no number in it or in a second column.
+/// Rows that have a column, and how many of them lack a number in it or in a second column.
 struct RowsWithout {
   std::size_t rows = 0, without = 0;
 };

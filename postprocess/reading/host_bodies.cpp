@@ -76,8 +76,8 @@ void require_one_motion(const Particle& body, const Particle& sphere, const Fram
                     "others than in the body's first row");
 }
 
-/// Puts the spheres of a body side by side that the box has taken apart: each next one is the image
-/// that is nearest to one of those whose position is known.
+/// Joins the spheres of a body that the box has taken apart: one after the other takes the place of
+/// its image that is nearest to a sphere that has its place.
 void put_together(Sphere* begin, const Sphere* end, const PeriodicCell& cell) {
   const auto count = static_cast<std::size_t>(end - begin);
   std::vector<Vector3> ways(count); // places: of the image nearest to a sphere that has its place

@@ -19,7 +19,7 @@ class ColumnReader {
   }
 }
 
-/// What does not change in time: id, type, semi-axes and template of every body.
+/// What does not change in time: id, semi-axes and template of every body.
 async function read_bodies() {
   const reader = new ColumnReader(await unpacked("bodies"));
   const n = header.bodies;

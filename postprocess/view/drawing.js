@@ -201,7 +201,7 @@ class Drawing {
     gl.disable(gl.BLEND);
   }
 
-  /// The body at a point of the page, or -1.
+  /// The particle of the frame at a point of the page, or -1.
   pick(x, y, camera, shown) {
     const gl = this.gl, width = this.canvas.width, height = this.canvas.height;
     if (!this.picture || this.picture.width !== width || this.picture.height !== height) {

@@ -62,8 +62,8 @@ class Scene {
     return shifts;
   }
 
-  /// A ribbon from centre to centre for each pair, its area by the force. Across a face that repeats there are two: from
-  /// each of the particles to the image of the other one.
+  /// A ribbon from centre to centre for each pair, its width by the root of the force. Across a face that repeats there
+  /// are two: from each of the particles to the image of the other one.
   chains(frame) {
     const { contacts } = frame, out = [], largest = header.largest_force || 1, shifts = this.image_shifts(frame);
     const centre = (p) => this.scaled([0, 1, 2].map((k) => coordinate(frame, k, p)));

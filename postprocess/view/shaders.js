@@ -76,7 +76,7 @@ uniform vec3 cut_low, cut_high;  // in the scene
 uniform vec2 colour_range;
 uniform sampler2D colours;
 uniform bool by_kind, picking;
-uniform uint selected;           // number of a body + 1
+uniform uint selected;           // place of a particle in its frame + 1
 out vec4 colour;
 
 vec3 in_body(vec3 v) { return vec3(dot(row_x, v), dot(row_y, v), dot(row_z, v)); }

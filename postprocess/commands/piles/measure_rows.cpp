@@ -12,7 +12,7 @@ namespace {
 
 std::int64_t whole(std::size_t n) { return static_cast<std::int64_t>(n); }
 
-/// Spheres of an ellipsoid, or any others (clumps, the host's bodies), are two kinds.
+/// Spheres of an ellipsoid are one kind, any others (clumps, the host's bodies) another.
 std::string surface_of(const Particle& p) {
   if (p.is_smooth())
     return "smooth";

@@ -63,7 +63,7 @@ class Planner {
   /// Whether the rest can be cut from a plane on, by the number of parts below and the plane.
   std::vector<std::vector<std::uint8_t>> goes_on_;
 
-  /// Parts from each plane on reach as far as no column has more than the limit.
+  /// How far up a part can reach from each plane before a column has more than the limit.
   void find_reach(double limit) {
     reach_.assign(at(slabs_) + 1, slabs_);
     for (const std::vector<double>& below : below_) {

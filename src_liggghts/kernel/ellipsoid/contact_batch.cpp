@@ -86,7 +86,7 @@ template <class Space, class Normals> struct PairSearch {
     w.of[Work::trace][at.k] = h.trace;
     w.of[Work::inverse_determinant][at.k] = h.inverse_determinant;
 
-    // The overlap is small for the curvatures: H is not far from W_i + W_j, and the minimum is one.
+    // The overlap is small for the curvatures: H is near W_i + W_j, and phi has a minimum there.
     // Bitwise &: no branches.
     const double shallow = 2.0 * f.value * (h.trace + 2.0 * f.value);
     const bool convex = (shallow <= tangent_determinant(h.radii)) & (h.trace > 0.0);
@@ -171,7 +171,7 @@ template <class Space, class Normals> struct PairSearch {
   }
 };
 
-/// From the normals in rows `normal_column` and the two after it of `normals`.
+/// From the normals in the columns `normal_column` and the two after it of `normals`.
 template <class Space, bool is_first, class Normals>
 inline void search_from(const Normals& normals, int normal_column, Columns& c, Work& w, int begin,
                         int end) {

@@ -64,8 +64,8 @@ inline void turn(double* orientation, double half) {
   const Four t =
       q + half * Four{-1.0, -1.0, 1.0, 1.0} * Four{q[3], q[2], q[1], q[0]}; // (1 + half z) q
   const Four excess = sum(t * t) - 1.0;
-  constexpr double small = 1e-6; // of most steps: then no root and no division is needed, the first
-  if (std::fabs(excess[0]) < small) // term left out, 5/16 excess^3, is far below rounding
+  constexpr double small = 1e-6;    // most steps have less: no root, no division;
+  if (std::fabs(excess[0]) < small) // the first term left out, 5/16 excess^3, is far below rounding
     save<Four>(t * (1.0 - excess * (0.5 - 0.375 * excess)), orientation);
   else
     save<Four>(t * (1.0 / std::sqrt(1.0 + excess[0])), orientation);

@@ -32,7 +32,7 @@ double gap_between(const SphereSet& set, std::size_t k, std::size_t l) {
   return norm(set.centres[l] - set.centres[k]) - (set.radii[k] + set.radii[l]);
 }
 
-/// Two equal spheres would have each contact twice, and a body of twice the stiffness.
+/// Each contact of two equal spheres would count twice: a body of twice the stiffness.
 void refuse_equal_spheres(const SphereSet& set) {
   const auto numbers = [&](std::size_t k) {
     const Vector3& c = set.centres[k];

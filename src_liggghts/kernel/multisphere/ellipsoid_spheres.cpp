@@ -79,7 +79,7 @@ SphereSet planar_set(const Vector3& semiaxes, int count, SphereSpacing spacing) 
   return set;
 }
 
-/// Without a sphere in the centre it may be left open.
+/// Whether the centre lies in a sphere: sets without a sphere about it may leave it open.
 bool holds_centre(const SphereSet& set) {
   for (std::size_t k = 0; k < set.radii.size(); ++k)
     if (norm(set.centres[k]) < set.radii[k])
@@ -87,7 +87,7 @@ bool holds_centre(const SphereSet& set) {
   return false;
 }
 
-/// A larger N of the same parity, within a fifth of the smallest, that can be used; 0 if none.
+/// A larger N of the same parity that gives one body, within a fifth of the smallest; 0 if none.
 int connected_count(const Vector3& semiaxes, int count, SphereSpacing spacing) {
   for (int n = count + 2; n <= largest_count_of(spacing); n += std::max(2, n / 10 * 2))
     if (is_one_body(planar_set(semiaxes, n, spacing)))

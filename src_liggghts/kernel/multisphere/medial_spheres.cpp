@@ -65,8 +65,8 @@ const Candidate& next_of(const std::vector<Candidate>& candidates, int largest_c
   return *best;
 }
 
-/// The pair on the longest axis that takes the centre sphere's place may leave a largest gap so
-/// many times the smallest possible one: what is gained is that the two are not one sphere twice.
+/// A pair on the longest axis takes the centre sphere's place. The gap that it leaves may be so
+/// many times the least that any pair leaves: its two spheres can then be farther apart.
 constexpr double room_of_pair = 1.25;
 
 /// Touching points to which the centre sphere, the first of those placed, is the nearest, with the
@@ -94,8 +94,8 @@ bool is_placed(const MirroredSphere& sphere, const std::vector<MirroredSphere>& 
   });
 }
 
-/// Instead of the centre sphere, of pairs within the room that are not there yet the one farthest
-/// apart.
+/// The pair that takes the centre sphere's place: of those that are not placed yet and leave a gap
+/// within the room, the one farthest apart.
 MirroredSphere pair_for_centre(const std::vector<Candidate>& candidates,
                                const std::vector<MirroredSphere>& placed) {
   double floor = 0.0, least = std::numeric_limits<double>::infinity();

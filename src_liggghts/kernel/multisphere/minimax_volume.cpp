@@ -18,7 +18,7 @@ namespace {
 constexpr double pi = 3.141592653589793238462643;
 
 constexpr int directions_of_any = 3000, directions_per_sphere = 40; ///< in an eighth
-constexpr int relaxations = 12;  ///< after them places move by less than what follows moves them
+constexpr int relaxations = 12;  ///< after them places move less than the descent moves them
 constexpr int descents = 120;    ///< steps; the mean falls by less than 1e-3 of itself after these
 constexpr int near_count = 12;   ///< spheres that may end a ray until they are searched again
 constexpr int refresh_steps = 8; ///< steps between two searches

@@ -52,7 +52,7 @@ HalfChain touching_half_chain(double a, double b) {
   return {{0.0, 0.5 * (a + b)}, {b, 0.5 * (a - b)}};
 }
 
-/// Of spacing `paper_touching` the only one.
+/// Of spacing `paper_touching`; besides it there is N = 1, a single sphere.
 constexpr int largest_touching_count = 3;
 
 bool is_known(int count, SphereSpacing spacing) {

@@ -7,14 +7,14 @@
 namespace ellipsoid {
 namespace {
 
-constexpr int intervals = 100; ///< even; of an arc: the rule's error is below 1e-8 of the result
+constexpr int intervals = 100; ///< of an arc, even: Simpson's error is below 1e-8 of the result
 
 /// Integrals over length of 1, of the distance and of its square.
 struct Sums {
   double length = 0.0, first = 0.0, second = 0.0;
 };
 
-/// From the crest the arc goes by its angle: the ends of the chain are no special places.
+/// Integrates over the angle from the crest: the outline is smooth in it to the chain's ends.
 void add_arc(const MultisphereTemplate& chain, const OutlinePiece& piece, Sums& sums) {
   const auto k = static_cast<std::size_t>(piece.sphere);
   const double r = chain.radii[k], from = arc_angle(r, piece.begin), to = arc_angle(r, piece.end);

@@ -114,7 +114,7 @@ void keep_one_of_each_group(std::vector<TriangleContact>& contacts, std::size_t 
   contacts.insert(contacts.end(), kept.begin(), kept.end());
 }
 
-/// Whether a contact is at an edge or corner, but not its true one, or one that is not seen.
+/// Whether a contact at an edge or corner is not supported, or a contact of any kind is hidden.
 bool is_false(const TriangleContact& c, const std::vector<Triangle>& triangles, const Vector3& eye,
               double size) {
   const bool face = c.feature == TriangleFeature::face;
@@ -166,7 +166,7 @@ bool reaches_plane(const Body& body, const TriangleContact& c,
   });
 }
 
-/// Whether a triangle lies in the plane of a shallow contact at a face: then it has none besides.
+/// Whether a triangle lies in the plane of a shallow contact at a face: then it has no other.
 bool is_in_plane(const Triangle& t, const TriangleContact& face, double size) {
   return !face.deep && std::all_of(t.begin(), t.end(), [&](const Vector3& node) {
     return std::fabs(dot(face.normal, node - face.foot)) <= wall_tolerance::on_triangle * size;
@@ -192,7 +192,7 @@ void add_growing_contact(const Body& body, const std::vector<Triangle>& triangle
     contacts.push_back(found);
 }
 
-/// The same for any of the contacts from index `first` to before `last`.
+/// is_in_plane() for any of the contacts from index `first` to before `last`.
 bool is_in_plane(const Triangle& t, const std::vector<TriangleContact>& contacts, std::size_t first,
                  std::size_t last, double size) {
   const auto begin = contacts.begin();
@@ -201,7 +201,7 @@ bool is_in_plane(const Triangle& t, const std::vector<TriangleContact>& contacts
                      [&](const TriangleContact& c) { return is_in_plane(t, c, size); });
 }
 
-/// Those at edges and corners of some triangles.
+/// Adds the contacts at edges and corners of some triangles.
 /// @param[in] first index of the first contact of this body; so far there are those at its faces
 template <class Body>
 void add_boundary_contacts(const Body& body, const Vector3& eye, double size,
