@@ -159,7 +159,7 @@ struct SeenLine {
   std::pair<double, double> abscissae(double y0, double y1) const {
     double from = 0.0, to = 1.0;
     if (way.y != 0.0) {
-      const auto [s, t] = std::minmax((y0 - begin.y) / way.y, (y1 - begin.y) / way.y);
+      const auto [s, t] = std::minmax({(y0 - begin.y) / way.y, (y1 - begin.y) / way.y}); // values
       from = std::clamp(s, 0.0, 1.0);
       to = std::clamp(t, 0.0, 1.0);
     }

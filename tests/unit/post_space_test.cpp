@@ -419,6 +419,32 @@ TEST(SpacePicture, bodies_hide_what_lies_behind_them_and_nothing_else) {
   }
 }
 
+TEST(SpacePicture, lines_of_any_slope_are_drawn_from_end_to_end) {
+  ParticleSet set;
+  set.particles.push_back(ball(0.1, {0.0, 2.8, 2.8}));
+  SpaceView view;
+  view.width = 400;
+  view.height = 300;
+  view.azimuth_deg = 0.0; // to the right: y; upwards: z
+  view.elevation_deg = 0.0;
+  view.part = Box();
+  for (int k = 0; k < 3; ++k) {
+    view.part->lower[k] = -3.0;
+    view.part->upper[k] = 3.0;
+  }
+  const std::array<int, 3> line{77, 107, 140}; // 0.30, 0.42, 0.55
+  for (int degrees = -170; degrees <= 180; degrees += 10) {
+    const double y = 2.0 * std::cos(degrees * pi / 180.0), z = 2.0 * std::sin(degrees * pi / 180.0);
+    SpaceScenery scenery;
+    scenery.lines = {{{0.0, 0.0, 0.0}, {0.0, y, z}, LineKind::mesh}};
+    scenery.line_width = 5.0;
+    const SpacePixels pixels = draw_space(set, {{0.2, 0.4, 0.6}}, view, &scenery);
+    for (int part = 0; part <= 20; ++part)
+      EXPECT_EQ(pixel_at(pixels, y * part / 20.0, z * part / 20.0), line) << degrees << " " << part;
+    EXPECT_NE(pixel_at(pixels, 1.1 * y, 1.1 * z), line) << degrees;
+  }
+}
+
 TEST(Energy, of_a_spinning_ellipsoid) {
   ParticleSet set;
   Particle p = ball(1.0, {1.0, 2.0, 3.0});
