@@ -46,6 +46,14 @@ void require_finite_numbers(CLI::App& app) {
     require_finite_numbers(*part); // commands, and groups of their options
 }
 
+/// One line, as all other errors are.
+std::string one_line(const CLI::App*, const CLI::Error& error) {
+  std::string text = error.what();
+  for (std::size_t k = text.find('\n'); k != std::string::npos; k = text.find('\n'))
+    text.replace(k, 1, "; ");
+  return "error: " + text + " (--help tells the options)\n";
+}
+
 /// The message for a first word that is no command, or nothing.
 std::string unknown_command(const CLI::App& program, int argc, char** argv) {
   const std::string word = argc > 1 ? argv[1] : "-";
@@ -76,6 +84,7 @@ int main(int argc, char** argv) {
   CLI::App program("ellipsoid-post: measures and shows what LIGGGHTS piled up, from its dumps.",
                    "ellipsoid-post");
   program.require_subcommand(1);
+  program.failure_message(one_line);
   program.set_version_flag("--version", version_text());
   program.footer("ellipsoid-post COMMAND --help explains a command and its definitions.\n"
                  "Exit codes: 0 good, 1 broken or missing data, 2 wrong usage.");

@@ -2,6 +2,7 @@
 #include "fix_particletemplate_ellipsoid.h"
 
 #include "atom.h"
+#include "comm.h"
 #include "ellipsoid/ellipsoid_properties.h"
 #include "ellipsoid_host.h"
 #include "error.h"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -198,6 +200,7 @@ void FixParticletemplateEllipsoid::derive_sizes_and_masses(bool has_moments) {
   else
     density_ = mass_ / body_.volume(semiaxes_);
   mass_expect = density_ * volume_expect;
+  check_volume();
   using ellipsoid::SizeDistribution;
   const auto smallest =
       variations_.varied(semiaxes_, [](const SizeDistribution& d) { return d.smallest(); });
@@ -207,6 +210,17 @@ void FixParticletemplateEllipsoid::derive_sizes_and_masses(bool has_moments) {
   largest_bounding_radius_ = body_.bounding_radius(largest);
   if (!has_moments)
     principal_moments_ = body_.principal_moments(semiaxes_, mass_);
+}
+
+/// The host would say so where the first particles are inserted.
+void FixParticletemplateEllipsoid::check_volume() {
+  if (volume_expect >= vol_limit)
+    return;
+  std::ostringstream text;
+  text << "the volume of a particle is " << volume_expect << ", keyword 'volume_limit' allows "
+       << vol_limit
+       << " and more; correct the unit of the lengths, or give a smaller 'volume_limit'";
+  error->fix_error(FLERR, this, text.str().c_str());
 }
 
 void FixParticletemplateEllipsoid::make_clump(bool has_semiaxes, bool has_moments) {
@@ -219,6 +233,11 @@ void FixParticletemplateEllipsoid::make_clump(bool has_semiaxes, bool has_moment
     complain("a clump keeps its shape; use 'vary all'");
   try {
     body_.read_clump(lmp, clump_file_, clump_scale_.value_or(1.0));
+    if (body_.clump()->equal_spheres > 0 && comm->me == 0)
+      error->warning(FLERR, ("Fix particletemplate/ellipsoid (id " + std::string(id) + "): file '" +
+                             clump_file_ + "': " + std::to_string(body_.clump()->equal_spheres) +
+                             " spheres equal an earlier one and are left out")
+                                .c_str());
     if (!has_moments && !body_.clump()->is_principal)
       complain("the file says that its frame is the body's, and the centre of mass and the "
                "principal axes of its spheres are others; give 'inertia', or leave the comment '" +

@@ -64,9 +64,10 @@ SubsphereProperties make_subsphere_properties(Modify* modify) {
 void MultisphereParticles::find_properties() {
   std::tie(subspheres_, spacing_) = std::tuple_cat(subsphere_properties(modify));
   if (!subspheres_)
-    error->all(FLERR,
-               "surface multisphere: no particle has sub-spheres; use keyword 'subspheres' of "
-               "fix particletemplate/ellipsoid, or fix property/atom subspheres");
+    error->all(FLERR, ("surface multisphere: no particle has sub-spheres; use keyword 'subspheres' "
+                       "or 'clump' of fix particletemplate/ellipsoid; after read_restart " +
+                       std::string(repeat_after_restart))
+                          .c_str());
 }
 
 const ellipsoid::MultisphereBody* MultisphereParticles::body(const double* semiaxes, int count,

@@ -26,6 +26,12 @@ SubsphereProperties subsphere_properties(LAMMPS_NS::Modify* modify);
 /// The same, made where missing. They go with the atoms to other ranks and restart files.
 SubsphereProperties make_subsphere_properties(LAMMPS_NS::Modify* modify);
 
+/// What a script says again for the sub-spheres that particles of a restart file have.
+constexpr char repeat_after_restart[] =
+    "repeat the templates with 'subspheres' or 'clump', or give 'fix subspheres all property/atom "
+    "subspheres scalar yes yes no 0.' and 'fix spacing all property/atom spacing scalar yes yes no "
+    "0.'";
+
 /// Which body a particle has is stored per atom: fix property/atom `subspheres` (N) and `spacing`
 /// (the number of SphereSpacing, or of a clump; all 0 if that fix is missing). Particles of equal
 /// aspect ratios, N and spacing share their spheres, particles of a clump its spheres.

@@ -5,10 +5,12 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_property_atom.h"
+#include "force.h"
 #include "lammps.h"
 #include "modify.h"
 #include "multisphere/clump_template.h"
 #include "multisphere_particles.h"
+#include "pair_gran.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +59,16 @@ bool bounds(double radius, const double* axes, bool is_clump) {
 bool is_clump(const LAMMPS& lmp, int i) {
   const FixPropertyAtom* spacing = ellipsoid_host::subsphere_properties(lmp.modify)[1];
   return spacing && spacing->vector_atom[i] > ellipsoid::clump_spacing;
+}
+
+/// Of a restart file, perhaps, whose numbers of sub-spheres nothing in the script has taken up.
+bool may_be_clump(const LAMMPS& lmp, int i) {
+  const Atom& atom = *lmp.atom;
+  auto* pair = static_cast<PairGran*>(lmp.force->pair_match("gran/ellipsoid", 1));
+  return pair && pair->contact_match("surface", "multisphere") &&
+         !ellipsoid_host::subsphere_properties(lmp.modify)[1] &&
+         !bounds(atom.radius[i], atom.shape[i], false) &&
+         bounds(atom.radius[i], atom.shape[i], true);
 }
 
 /// A particle as create_atoms makes it, in a box too small for it.
@@ -125,6 +137,11 @@ void complain_of_body(const LAMMPS& lmp, const char* caller, int i) {
         {atom.blockiness[i][0] == 2.0 && atom.blockiness[i][1] == 2.0, "the blockiness",
          "allowed is 2 2, that of ellipsoids; use 'fix particletemplate/ellipsoid'",
          atom.blockiness[i], 2});
+  check(lmp, caller, i,
+        {!may_be_clump(lmp, i), "the bounding radius",
+         (std::string("as clumps have; after read_restart ") + ellipsoid_host::repeat_after_restart)
+             .c_str(),
+         &atom.radius[i], 1});
   check(lmp, caller, i,
         {bounds(atom.radius[i], atom.shape[i], is_clump(lmp, i)), "the bounding radius",
          "allowed is the largest of its semi-axes; give 'set ... shape a b c', or use 'fix "

@@ -276,8 +276,8 @@ def words_of(command, example, option=None, is_beside=True):
 
 
 def is_refusal(run, option):
-    """One line that names the option (behind it, how to get help)."""
-    lines = [line for line in run[2].splitlines() if line and not line.startswith("Run with --help")
+    """One line that names the option."""
+    lines = [line for line in run[2].splitlines() if line
              and not re.search(": the same in [0-9]+ more frames?$", line)]
     return run[0] != 0 and len(lines) == 1 and option in lines[0] and not run[3]
 

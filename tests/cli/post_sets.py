@@ -247,6 +247,32 @@ def check_lists():
     assert again["volume_m3"] == row["volume_m3"]
 
 
+def check_doubled_spheres():
+    """As CLUMP writes them for a body that its images meet: the same sphere several times, also with -0."""
+    once = ["0.25, 0.0, 0.0, 0.5", "-0.25, 0.125, 0.0, 0.5", "0.0, 0.0, 0.375, 0.25"]
+    write("once.txt", "\n".join(once) + "\n")
+    write("twice.txt", "\n".join([once[1], once[0], *once, "0.0, -0.0, 0.375000, 0.25"]) + "\n")
+    (row,), (again,) = (rows_of("template", "--clump", name) for name in ("once.txt", "twice.txt"))
+    _, error = post("template", "--clump", "twice.txt")
+    assert "3 spheres equal an earlier one and are left out" in error and error.count("\n") == 1, error
+    assert again["subspheres"] == row["subspheres"] == "3"
+    for key in ("volume_m3", "surface_m2", "centre_x_m", "inertia_xx_m5"):
+        assert abs(float(again[key]) - float(row[key])) < 1e-14, key  # another order of the sums
+    assert post("template", "--clump", "once.txt")[1] == ""
+
+
+def check_spheres_far_out():
+    """Centres inside, and one radius that is not the body's: the farthest way out, by hand."""
+    write("far.txt", "0 0 0 1\n0 0 0.5 0.4\n1 0 0 2.5\n")
+    _, error = post("template", "--clump", "far.txt", "--semiaxes", 2, 2, 1)
+    closest = np.linalg.norm(np.array([1.0, 0.0, 0.0]) - sphere_points(200000) * (2, 2, 1), axis=1).min()
+    words = error.split("sphere 3 by up to ")[1].split()
+    assert "1 of the 3 spheres stick out" in error and error.count("\n") == 1, error
+    assert abs(float(words[0]) - (2.5 - closest)) < 1e-3, (error, closest)
+    write("near.txt", "0 0 0 1.05\n0 0 0.5 0.5\n")
+    assert post("template", "--clump", "near.txt", "--semiaxes", 2, 2, 1)[1] == ""
+
+
 def check_bad_lists():
     def error_of(text, *more):
         write("bad.txt", text)
@@ -259,14 +285,16 @@ def check_bad_lists():
     assert "line 2" in error_of("0 0 0 1\n1 0 0\n")
     assert "line 2" in error_of("0 0 0 1\n1 0 zero 1\n")
     assert "no sphere" in error_of("# nothing\n")
-    assert "allowed are 1 to 9999" in error_of("0 0 0 1\n" * 100000)
+    assert "allowed are 1 to 9999" in error_of("".join(f"0 0 {k} 1\n" for k in range(100000)))
     error = error_of("0 0 0 1\n0 0 2.5 1.6\n", "--semiaxes", 2, 2, 2.2)
     assert "sphere 2" in error and "outside the body, by 0.3" in error, error
-    assert "spheres 1 and 3 are equal" in error_of("0 0 0 1\n1 0 0 1\n0 0 0 1.0\n")
     for option in ("--clump", "--from"):
         for name in ("missing.txt", "."):
             error = post("template", option, name, expect=1)[1]
             assert f"{name}: cannot be opened; give " in error and error.count("\n") == 1, error
+    for words in ((3, 2), (3, 2, 1, 1, 2, 2), (3, 2, "x")):
+        _, error = post("template", "--semiaxes", *words, expect=2)
+        assert "--semiaxes" in error and error.startswith("error: ") and error.count("\n") == 1, error
     with open("binary.txt", "wb") as file:
         file.write(bytes(range(256)))
     assert "no text" in post("template", "--clump", "binary.txt", expect=1)[1]
@@ -395,6 +423,8 @@ check_even_numbers()
 check_roughness()
 check_tolerance()
 check_lists()
+check_doubled_spheres()
+check_spheres_far_out()
 check_bad_lists()
 check_surfaces()
 check_bad_surfaces()

@@ -184,6 +184,26 @@ class Files(unittest.TestCase):
             for column in COLUMNS:
                 np.testing.assert_array_equal(found[column], whole[column], f"{name}: {column}")
 
+    def test_what_a_restart_needs_is_said(self):
+        """Without template and fix property/atom: whether the bounding sphere tells that it is a clump (a hook), or not
+        (a chain)."""
+        repeat = "after read_restart repeat the templates with 'subspheres' or 'clump', or give 'fix subspheres all property/atom"
+        for words, begin in (("clump hook.csv", "as clumps have; "), ("semiaxes 2.4e-3 1e-3 1e-3 subspheres 5", "fix particletemplate")):
+            run(setup().without_particles() + insertion(TEMPLATE + words, 10) + "write_restart bare\n")
+            message = fails(setup().header() + "read_restart bare\n" + setup().properties() + self.MOTION + "run 1\n")
+            (line,) = [line for line in message.splitlines() if "ERROR" in line]
+            self.assertIn(begin, line)
+            self.assertIn(repeat, line)
+
+    def test_doubled_spheres_count_once(self):
+        write_spheres("twice.csv", np.vstack([HOOK, HOOK[2:4]]))
+        outcome = run(self.script("").replace("hook.csv", "twice.csv") + dump("twice.dump", 1, COLUMNS) + "run 0\n")
+        self.assertEqual(outcome.text.count("'twice.csv': 2 spheres equal an earlier one and are left out"), 1)
+        run(self.script(dump("once.dump", 1, COLUMNS) + "run 0\n"))
+        once, twice = self.frame("once.dump"), self.frame("twice.dump")
+        for column in COLUMNS:
+            np.testing.assert_array_equal(twice[column], once[column], column)
+
     def test_another_clump_of_the_name_is_refused(self):
         run(self.script("write_restart refused\n"))
         write_spheres("hook.csv", HOOK * [1.0, 1.0, 1.0, 0.99])
@@ -301,8 +321,8 @@ class BadInput(unittest.TestCase):
         for content, words, expected in (
                 ("0 0 0 1\n1 0 0 0\n", "", "sphere 2 has the radius 0"),
                 ("0 0 0 1\n3 0 0 1\n", "", "2 bodies apart"),
-                ("0 0 0 1\n1 0 0 1\n0 0 0 1.0\n", "", "spheres 1 and 3 are equal"),
-                ("0 0 0 1\n" * 300000, "", "300000 spheres; allowed are 1 to 9999"),
+                ("".join(f"0 0 {k} 1\n" for k in range(300000)), "", "300000 spheres; allowed are 1 to 9999"),
+                ("0 0 0 1\n", "clump_scale 1e-5", "volume of a particle is 4.18879e-15, keyword 'volume_limit' allows 1e-12"),
                 ("0 0 0 1\n1 0 0\n", "", "line 2: 3 values"),
                 ("", "", "it is empty"),
                 ("0 0 0 1\n", "semiaxes 1 1 1", "leave 'semiaxes', 'subspheres' and 'spacing' out"),

@@ -100,6 +100,15 @@ TEST(ClumpTemplate, PrincipalAxesOfTheListStay) {
   EXPECT_LT(clump.moments.y, clump.moments.x);
 }
 
+TEST(ClumpTemplate, DoubledSpheresCountOnce) {
+  const ClumpTemplate once = make_clump(parse_sphere_list(hook));
+  const ClumpTemplate twice = make_clump(parse_sphere_list(hook + hook + "-0.0 0 -0 1\n"));
+  EXPECT_EQ(once.equal_spheres, 0);
+  EXPECT_EQ(twice.equal_spheres, 6);
+  EXPECT_TRUE(are_same(once, twice));
+  EXPECT_EQ(once.volume, twice.volume);
+}
+
 TEST(ClumpTemplate, BodyFrameListComesBack) {
   const ClumpTemplate clump = make_clump(parse_sphere_list(hook));
   SphereSet set = clump.spheres;

@@ -54,6 +54,21 @@ TEST(Clump, BadSpheresAreNamed) {
             std::string::npos);
 }
 
+TEST(Clump, EqualSpheresAreLeftOutTheFirstStays) {
+  SphereSet set{{{0, 0, 0}, {1.5, 0, 0}, {-0.0, 0, 0}, {0, 0, 0}, {1.5, 0, 0}, {0, 1, 0}},
+                {1.0, 0.8, 1.0, 0.9, 0.8, 1.0}};
+  EXPECT_NO_THROW(check_values(set));
+  EXPECT_NE(message_of([&] { check_spheres(set); }).find("spheres 1 and 3 are equal"),
+            std::string::npos);
+  EXPECT_EQ(leave_out_equal_spheres(set), 2);
+  EXPECT_EQ(set.radii, (std::vector<double>{1.0, 0.8, 0.9, 1.0}));
+  EXPECT_EQ(set.centres[1].x, 1.5);
+  EXPECT_EQ(set.centres[3].y, 1.0);
+  EXPECT_NO_THROW(check_spheres(set));
+  EXPECT_EQ(leave_out_equal_spheres(set), 0);
+  EXPECT_EQ(set.count(), 4);
+}
+
 TEST(Clump, PartsOfDisconnectedSets) {
   const SphereSet apart{{{0, 0, 0}, {5, 0, 0}, {1, 0, 0}, {9, 0, 0}, {6, 0, 0}},
                         {1.0, 1.0, 1.0, 1.0, 1.0}};

@@ -24,6 +24,9 @@
 namespace ellipsoid::post {
 namespace {
 
+/// Of the unit of distances: spheres that stick out farther are told.
+constexpr double far_beyond = 0.1;
+
 /// A set with its name, and what it is compared with.
 struct NamedSet {
   std::string source, spacing;
@@ -58,9 +61,12 @@ std::string with_plain_names(std::string text) {
 
 SphereSet checked_list(const std::string& path) {
   try {
-    const SphereSet set = parse_sphere_list(with_plain_names(text_of_file(path))).spheres;
-    check_spheres(set);
+    SphereSet set = parse_sphere_list(with_plain_names(text_of_file(path))).spheres;
+    check_values(set);
     check_connected(set);
+    if (const int equal = leave_out_equal_spheres(set); equal > 0)
+      report_warning(
+          fmt::format("{}: {} spheres equal an earlier one and are left out", path, equal));
     return set;
   } catch (const std::invalid_argument& error) {
     throw InputError(path + ": " + error.what());
@@ -142,6 +148,32 @@ void check_inside(const NamedSet& set, const Solid& solid) {
                                    "of this body, in the same unit and frame",
                                    set.source, k + 1, c.x, c.y, c.z, solid.distance(c)));
   }
+}
+
+/// A sphere that reaches far beyond the body has, perhaps, a radius of another one.
+void warn_of_far_spheres(const NamedSet& set, const Target& target) {
+  double farthest = 0.0;
+  std::size_t which = 0, count = 0;
+  for (std::size_t k = 0; k < set.spheres.radii.size(); ++k) {
+    const double beyond =
+        set.spheres.radii[k] - target.solid->distance(set.spheres.centres[k]); // at most
+    count += beyond > far_beyond * target.unit;
+    if (beyond > farthest) {
+      farthest = beyond;
+      which = k;
+    }
+  }
+  if (count > 0)
+    report_warning(fmt::format(
+        "{}: {} of the {} spheres stick out of the body by more than {:g} {}, sphere {} by up to "
+        "{:g} ({:.3g} {}); are its radius and the body's those of one unit?",
+        set.source, count, set.spheres.count(), far_beyond, target.unit_name, which + 1, farthest,
+        farthest / target.unit, target.unit_name));
+}
+
+void check_spheres_of_body(const NamedSet& set, const Target& target) {
+  check_inside(set, *target.solid);
+  warn_of_far_spheres(set, target);
 }
 
 Row measures_row(const UnionMeasures& m) {
@@ -273,7 +305,7 @@ int run_sets(const SetOptions& options, const TemplateChoice& choice, OutputOpti
   else
     sets = clumps ? mesh_sets(options, choice, *clumps) : ellipsoid_sets(options, choice);
   if (!options.clump.empty() && target.solid)
-    check_inside(sets.front(), *target.solid);
+    check_spheres_of_body(sets.front(), target);
   if (has_files(options, choice) && sets.size() != 1)
     throw InputError("files hold one template: give one --subspheres, or a --tolerance");
   for (const std::string* file :

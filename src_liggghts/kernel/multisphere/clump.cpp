@@ -32,22 +32,30 @@ double gap_between(const SphereSet& set, std::size_t k, std::size_t l) {
   return norm(set.centres[l] - set.centres[k]) - (set.radii[k] + set.radii[l]);
 }
 
-/// Each contact of two equal spheres would count twice: a body of twice the stiffness.
-void refuse_equal_spheres(const SphereSet& set) {
+/// For each sphere the first one that is equal to it: itself, where none is before it.
+std::vector<std::size_t> first_equal_spheres(const SphereSet& set) {
   const auto numbers = [&](std::size_t k) {
     const Vector3& c = set.centres[k];
     return std::make_tuple(c.x, c.y, c.z, set.radii[k]);
   };
   std::vector<std::size_t> order(set.centres.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<std::size_t> first = order;
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t k, std::size_t l) { return numbers(k) < numbers(l); });
-  const auto equal =
-      std::adjacent_find(order.begin(), order.end(),
-                         [&](std::size_t k, std::size_t l) { return numbers(k) == numbers(l); });
-  if (equal != order.end())
-    refuse("spheres " + std::to_string(*equal + 1) + " and " + std::to_string(*(equal + 1) + 1) +
-           " are equal, and each contact would count twice; leave one out");
+  for (std::size_t n = 1; n < order.size(); ++n)
+    if (numbers(order[n - 1]) == numbers(order[n]))
+      first[order[n]] = first[order[n - 1]];
+  return first;
+}
+
+/// Each contact of two equal spheres would count twice: a body of twice the stiffness.
+void refuse_equal_spheres(const SphereSet& set) {
+  const std::vector<std::size_t> first = first_equal_spheres(set);
+  for (std::size_t k = 0; k < first.size(); ++k)
+    if (first[k] != k)
+      refuse("spheres " + std::to_string(first[k] + 1) + " and " + std::to_string(k + 1) +
+             " are equal, and each contact would count twice; leave one out");
 }
 
 bool are_connected(const SphereSet& set, std::size_t k, std::size_t l) {
@@ -56,7 +64,21 @@ bool are_connected(const SphereSet& set, std::size_t k, std::size_t l) {
 
 } // namespace
 
-void check_spheres(const SphereSet& set) {
+int leave_out_equal_spheres(SphereSet& set) {
+  const std::vector<std::size_t> first = first_equal_spheres(set);
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    if (first[k] != k)
+      continue;
+    set.centres[kept] = set.centres[k];
+    set.radii[kept++] = set.radii[k];
+  }
+  set.centres.resize(kept);
+  set.radii.resize(kept);
+  return static_cast<int>(first.size() - kept);
+}
+
+void check_values(const SphereSet& set) {
   if (set.centres.empty() || set.centres.size() > static_cast<std::size_t>(largest_set_count))
     refuse(std::to_string(set.centres.size()) + " spheres; allowed are 1 to " +
            std::to_string(largest_set_count) + ": use a coarser set");
@@ -79,6 +101,10 @@ void check_spheres(const SphereSet& set) {
              " and no larger distances are allowed: choose "
              "another unit");
   }
+}
+
+void check_spheres(const SphereSet& set) {
+  check_values(set);
   refuse_equal_spheres(set);
 }
 

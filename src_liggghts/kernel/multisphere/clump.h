@@ -25,8 +25,17 @@ struct SphereSet {
   int count() const { return static_cast<int>(centres.size()); }
 };
 
-/// A set that contacts, measures and searches can be made of: 1 to largest_set_count spheres, as
-/// many radii as centres, all finite, radii > 0.
+/// Leaves out each sphere that equals an earlier one: some programs write a sphere several times,
+/// and each contact of two equal spheres would count twice.
+/// @return how many were left out
+int leave_out_equal_spheres(SphereSet& set);
+
+/// What a body's spheres may be, equal ones or not: 1 to largest_set_count spheres, as many radii
+/// as centres, all finite, radii > 0.
+/// @throws std::invalid_argument one line: which sphere (from 1), value, allowed range, remedy
+void check_values(const SphereSet& set);
+
+/// A set that contacts, measures and searches can be made of: check_values(), and no two equal.
 /// @throws std::invalid_argument one line: which sphere (from 1), value, allowed range, remedy
 void check_spheres(const SphereSet& set);
 

@@ -94,11 +94,12 @@ void measure_extent(ClumpTemplate& clump) {
 } // namespace
 
 ClumpTemplate make_clump(const SphereList& list) {
-  check_spheres(list.spheres);
+  check_values(list.spheres);
   check_connected(list.spheres);
   ClumpTemplate clump;
   clump.spheres = list.spheres;
-  const UnionMeasures measures = measure_union(list.spheres);
+  clump.equal_spheres = leave_out_equal_spheres(clump.spheres);
+  const UnionMeasures measures = measure_union(clump.spheres);
   clump.volume = measures.volume;
   clump.surface = measures.surface;
   if (list.is_body_frame) {

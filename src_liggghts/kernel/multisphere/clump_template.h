@@ -29,11 +29,13 @@ struct ClumpTemplate {
   /// Whether the union's centre of mass is the origin and the axes are its principal ones, to six
   /// digits: not so, perhaps, where the list says that its frame is the body's.
   bool is_principal = true;
+  int equal_spheres = 0; ///< how many of the list's spheres equal an earlier one: left out
 };
 
-/// A list's clump. Its centre of mass and principal axes are those of the union, density constant,
-/// unless the list's frame is the body's. The axes of the list stay where they are principal ones
-/// already; else the moments ascend from x to z, and x and y point to where the farthest sphere is.
+/// A list's clump, equal spheres counted once. Its centre of mass and principal axes are those of
+/// the union, density constant, unless the list's frame is the body's. The axes of the list stay
+/// where they are principal ones already; else the moments ascend from x to z, and x and y point to
+/// where the farthest sphere is.
 /// @throws std::invalid_argument bad, or disconnected spheres
 ClumpTemplate make_clump(const SphereList& list);
 
