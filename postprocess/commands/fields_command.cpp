@@ -20,6 +20,7 @@ namespace {
 const std::map<std::string, CoarseGrainingShape> shape_of_word = {
     {"gaussian", CoarseGrainingShape::gaussian},
     {"lucy", CoarseGrainingShape::lucy},
+    {"wendland", CoarseGrainingShape::wendland},
     {"heaviside", CoarseGrainingShape::heaviside}};
 
 struct FieldsOptions {
@@ -196,8 +197,9 @@ void add_fields_command(CLI::App& program, int& exit_code) {
   add_frame_options(*command, options->frames, FrameUse::rows);
   add_time_option(*command, options->time_step);
   add_field_point_options(*command, options->points);
-  command->add_option("--kernel", options->kernel, "function: gaussian, lucy or heaviside")
-      ->check(CLI::IsMember({"gaussian", "lucy", "heaviside"}))
+  command
+      ->add_option("--kernel", options->kernel, "function: gaussian, lucy, wendland or heaviside")
+      ->check(CLI::IsMember({"gaussian", "lucy", "wendland", "heaviside"}))
       ->capture_default_str();
   command
       ->add_option("--width", options->width,

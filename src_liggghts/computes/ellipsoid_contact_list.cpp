@@ -95,13 +95,12 @@ void EllipsoidContactList::compute_local() {
 bool EllipsoidContactList::arrange(ContactRecord& r) const {
   if (!(r.group_mask & groupbit))
     return false;
-  if (partner_ == ContactPartner::wall || r.particle_i < r.particle_j)
+  if (partner_ == ContactPartner::wall)
     return true;
-  if (r.is_ghost_pair) {                           // seen from the other side, too
-    const Vector3 d = r.position_j - r.position_i; // of a particle and its own image: one of two
-    return r.particle_i == r.particle_j &&
-           (d.x > 0.0 || (d.x == 0.0 && d.y > 0.0) || (d.x == 0.0 && d.y == 0.0 && d.z > 0.0));
-  }
+  if (!r.counts())
+    return false;
+  if (r.particle_i <= r.particle_j)
+    return true;
   std::swap(r.particle_i, r.particle_j);
   std::swap(r.position_i, r.position_j);
   std::swap(r.sphere_i, r.sphere_j);

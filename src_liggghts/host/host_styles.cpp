@@ -116,9 +116,8 @@ constexpr UnsuitedStyles unsuited_styles[] = {
     {"compute", "pe pe/atom", "is always 0, since contacts tell the host no energy; remove it"},
     {"compute", "reduce/sph", "is for SPH particles; use 'compute reduce'"},
     {"fix", "continuum/weighted",
-     "leaves out particles beyond the lists of contacts, takes one contact for each pair, and "
-     "its kernel at the square of the distance; use 'fix ID GROUP ave/euler', or 'ellipsoid-post "
-     "fields'"},
+     "leaves out particles beyond the lists of contacts, and takes one contact for each pair; use "
+     "'compute ID GROUP continuum/weighted/ellipsoid' with the same keywords"},
     // --- pictures
     {"dump", "local/gran/vtk",
      "lists bounding spheres; use 'dump ID GROUP local' with 'compute pair/ellipsoid/local'"},
@@ -148,8 +147,11 @@ constexpr UnsuitedStyles unsuited_styles[] = {
     {"run_style", "respa", "splits the forces of contacts; use 'run_style verlet'"},
     {"command", "read_dump",
      "knows neither semi-axes nor moments; use 'read_data' or 'read_restart'"},
-    {"region", "mesh/tet wedge",
-     "is not shown to be right with ellipsoids; use another kind, or 'union' and 'intersect'"},
+    {"region", "wedge",
+     "has a bounding box that cuts off parts of it; use 'region ID intersect 3' of a cylinder and "
+     "two planes"},
+    {"region", "mesh/tet",
+     "knows no distance from its surface; use 'union' and 'intersect' of other kinds"},
     {"command", "minimize", "knows no friction and turns no body; use 'run' with damping"},
     {"command", "rotate",
      "does nothing in this host; use 'displace_atoms GROUP rotate' or 'fix move rotate'"},

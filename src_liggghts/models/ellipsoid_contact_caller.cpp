@@ -20,6 +20,14 @@ namespace ContactModels {
 using namespace LAMMPS_NS;
 using ellipsoid_host::vector;
 
+bool ContactRecord::counts() const {
+  if (!is_ghost_pair || particle_i < particle_j)
+    return true;
+  const ellipsoid::Vector3 d = position_j - position_i; // of a particle and its own image: one
+  return particle_i == particle_j &&
+         (d.x > 0.0 || (d.x == 0.0 && d.y > 0.0) || (d.x == 0.0 && d.y == 0.0 && d.z > 0.0));
+}
+
 EllipsoidContactCaller* EllipsoidContactCaller::pair_of(const Force& force) {
   return dynamic_cast<EllipsoidContactCaller*>(force.pair);
 }

@@ -37,6 +37,10 @@ struct ContactRecord {
   double reduced_radius = 0.0; ///< R of (19), of the spheres for multi-spheres (length)
   double area = 0.0;           ///< of the contact (length^2)
   double weight = 1.0;         ///< of its force in the sum
+
+  /// Of a contact between particles: whether this record is the one that counts. A contact with a
+  /// ghost is noted on both sides.
+  bool counts() const;
 };
 
 /// Base class of the pair style and the walls that fill in the contact geometry which the surface

@@ -19,8 +19,8 @@ void ContactReports::begin_step(bool for_list) {
   for_list_ = for_list;
   if (for_list_)
     pair_.begin_list();
-  are_wanted_ = for_list_ || pair_.evflag || pair_.store_sum_normal_force() ||
-                pair_.storeContactForces() || pair_.storeContactForcesStress();
+  are_wanted_ =
+      for_list_ || pair_.evflag || pair_.store_sum_normal_force() || pair_.storeContactForces();
 }
 
 void ContactReports::end_step() {
@@ -28,8 +28,6 @@ void ContactReports::end_step() {
     pair_.end_list();
   if (pair_.storeContactForces())
     pair_.fix_contact_forces()->do_forward_comm();
-  if (pair_.storeContactForcesStress())
-    pair_.fix_contact_forces_stress()->do_forward_comm();
 }
 
 void ContactReports::add(SurfacesIntersectData contact, const ForceData& force_i,
@@ -51,10 +49,6 @@ void ContactReports::add(SurfacesIntersectData contact, const ForceData& force_i
     store_partner(pair_.fix_contact_forces(), i, j, force_i);
     store_partner(pair_.fix_contact_forces(), j, i, force_j);
   }
-  if (pair_.storeContactForcesStress()) {
-    store_stress_partner(i, j, force_i);
-    store_stress_partner(j, i, force_j);
-  }
 }
 
 void ContactReports::store_partner(FixContactPropertyAtom* fix, int i, int j,
@@ -64,13 +58,5 @@ void ContactReports::store_partner(FixContactPropertyAtom* fix, int i, int j,
   double values[6];
   std::copy(force.delta_F, force.delta_F + 3, values);
   std::copy(force.delta_torque, force.delta_torque + 3, values + 3);
-  fix->add_partner(i, atom->tag[j], values);
-}
-
-void ContactReports::store_stress_partner(int i, int j, const ForceData& force) {
-  FixContactPropertyAtom* fix = pair_.fix_contact_forces_stress();
-  if (fix->has_partner(i, atom->tag[j]) != -1)
-    return;
-  double values[4] = {force.delta_F[0], force.delta_F[1], force.delta_F[2], static_cast<double>(j)};
   fix->add_partner(i, atom->tag[j], values);
 }

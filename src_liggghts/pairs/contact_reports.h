@@ -37,7 +37,6 @@ class ContactReports : private LAMMPS_NS::Pointers {
 
   void store_partner(LAMMPS_NS::FixContactPropertyAtom* fix, int i, int j,
                      const LIGGGHTS::ContactModels::ForceData& force);
-  void store_stress_partner(int i, int j, const LIGGGHTS::ContactModels::ForceData& force);
 };
 
 } // namespace ellipsoid_host

@@ -2,7 +2,7 @@
 //
 // Coarse-graining functions and the fields they make, against numerical integration and closed
 // forms.
-#include "coarse_graining_function.h"
+#include "averages/coarse_graining_function.h"
 #include "fields.h"
 
 #include <cmath>
@@ -24,6 +24,7 @@ double integral(double begin, double end, int parts, const std::function<double(
 }
 
 const CoarseGrainingShape shapes[] = {CoarseGrainingShape::gaussian, CoarseGrainingShape::lucy,
+                                      CoarseGrainingShape::wendland,
                                       CoarseGrainingShape::heaviside};
 
 TEST(CoarseGrainingFunction, integral_over_space_is_one) {
@@ -47,8 +48,32 @@ TEST(CoarseGrainingFunction, values_are_those_of_the_literature) {
   const double c = 2 * w, q = r / c;
   EXPECT_NEAR(CoarseGrainingFunction(CoarseGrainingShape::lucy, w).value(r * r),
               105 / (16 * pi * c * c * c) * (1 + 3 * q) * std::pow(1 - q, 3), 1e-12);
+  // Wendland 1995, C2 in three dimensions: 21 / (2 pi c^3) (1 - q)^4 (1 + 4 q)
+  EXPECT_NEAR(CoarseGrainingFunction(CoarseGrainingShape::wendland, w).value(r * r),
+              21 / (2 * pi * c * c * c) * std::pow(1 - q, 4) * (1 + 4 * q), 1e-12);
   EXPECT_NEAR(CoarseGrainingFunction(CoarseGrainingShape::heaviside, w).value(0.1),
               1 / (4.0 / 3.0 * pi * w * w * w), 1e-12);
+}
+
+TEST(CoarseGrainingFunction, slopes_are_differences_of_the_values) {
+  constexpr double step = 1e-6;
+  for (const CoarseGrainingShape shape : shapes) {
+    const CoarseGrainingFunction phi(shape, 0.4);
+    for (const double r : {0.05, 0.2, 0.33, 0.39})
+      EXPECT_NEAR(phi.slope_over_distance(r * r) * r,
+                  (phi.value((r + step) * (r + step)) - phi.value((r - step) * (r - step))) /
+                      (2 * step),
+                  1e-7);
+  }
+}
+
+TEST(CoarseGrainingFunction, a_gaussian_may_be_cut_off_anywhere) {
+  const CoarseGrainingFunction phi = CoarseGrainingFunction::cut_gaussian(0.3, 0.5);
+  EXPECT_NEAR(
+      integral(0.0, 0.5, 20000, [&](double r) { return 4.0 * pi * r * r * phi.value(r * r); }), 1.0,
+      1e-7);
+  EXPECT_NEAR(phi.value(0.04) / phi.value(0.0), std::exp(-0.04 / 0.18), 1e-12);
+  EXPECT_EQ(phi.value(0.26), 0.0);
 }
 
 TEST(CoarseGrainingFunction, lines_and_planes_are_integrals_of_the_values) {

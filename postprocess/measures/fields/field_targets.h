@@ -4,7 +4,7 @@
 // the planes of a profile.
 #pragma once
 
-#include "coarse_graining_function.h"
+#include "averages/coarse_graining_function.h"
 #include "frame.h"
 #include "periodic_cell.h"
 
