@@ -12,6 +12,7 @@
 #include "fix_property_atom.h"
 #include "force.h"
 #include "host_variants.h"
+#include "insertion/body_in_space.h"
 #include "insertion/occupied_space.h"
 #include "math_extra_liggghts.h"
 #include "modify.h"
@@ -19,6 +20,7 @@
 #include "pair_gran.h"
 #include "random_park.h"
 #include "region.h"
+#include "room_in_region.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,7 +85,7 @@ class InsertionSpace : private Pointers {
   PlainBody plain_body(int i, const SubsphereProperties& properties) const;
   SolidBody solid_body(const PlainBody& body);
   void add_images(const PlainBody& body, const Box& room, bool itself);
-  bool is_within_region(const SolidBody& body, const PlainBody& plain) const;
+  bool is_within_region(const SolidBody& body) const;
   bool reaches_others(const SolidBody& body, const PlainBody& plain) const;
 };
 
@@ -170,38 +172,45 @@ void InsertionSpace::load(BoundingBox& reached, double largest_radius) {
     add_images(all[k], room, k < my_first || k >= my_first + shared.size());
 }
 
-/// Exact for blocks, spheres and cylinders; in other regions the bounding sphere must lie within.
-bool InsertionSpace::is_within_region(const SolidBody& body, const PlainBody& plain) const {
-  PlainBody copy = plain;
-  if (within_->match_shrinkby_cut(copy.centre, body.bounding_radius))
-    return true;
-  if (!within_->interior)
-    return false;
-  const std::array<double, 3> low{within_->extent_xlo, within_->extent_ylo, within_->extent_zlo},
-      high{within_->extent_xhi, within_->extent_yhi, within_->extent_zhi};
-  const Vector3 middle{0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]),
-                       0.5 * (low[2] + high[2])};
-  if (std::strcmp(within_->style, "block") == 0)
-    return is_inside_block(body, low, high);
-  if (std::strcmp(within_->style, "sphere") == 0)
-    return is_inside_ball(body, middle, 0.5 * (high[0] - low[0]));
-  if (std::strcmp(within_->style, "cylinder") != 0)
-    return false;
-  // Its axis is the one along which a corner of the bounding box, seen from the middle, is inside.
+/// The axis (0, 1, 2) of a region `cylinder`: the one along which a corner of its bounding box,
+/// seen from the middle, is inside.
+int axis_of_cylinder(Region& region, const std::array<double, 3>& middle,
+                     const std::array<double, 3>& high) {
   constexpr double nearly = 0.99;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto across = static_cast<std::size_t>((axis + 1) % 3);
-    double probe[3] = {middle.x, middle.y, middle.z};
+  int axis = 0;
+  for (; axis < 2; ++axis) {
+    std::array<double, 3> probe = middle;
     for (std::size_t k = 0; k < 3; ++k)
       if (static_cast<int>(k) != axis)
-        probe[k] += 0.5 * nearly * (high[k] - low[k]);
-    if (within_->match(probe[0], probe[1], probe[2]))
-      continue; // this face of the bounding box is a square of the cylinder's side, not its end
-    const auto along = static_cast<std::size_t>(axis);
-    return is_inside_cylinder(body, axis, middle, 0.5 * (high[across] - low[across]), low[along],
-                              high[along]);
+        probe[k] += nearly * (high[k] - middle[k]);
+    if (!region.match(probe[0], probe[1], probe[2]))
+      break; // else this face of the bounding box is a square of the cylinder's side, not its end
   }
-  return false;
+  return axis;
+}
+
+/// Blocks, balls and cylinders have closed forms.
+bool InsertionSpace::is_within_region(const SolidBody& body) const {
+  const std::array<double, 3> low{within_->extent_xlo, within_->extent_ylo, within_->extent_zlo},
+      high{within_->extent_xhi, within_->extent_yhi, within_->extent_zhi};
+  const std::array<double, 3> middle{0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]),
+                                     0.5 * (low[2] + high[2])};
+  const auto is = [this](const char* style) {
+    return within_->interior && std::strcmp(within_->style, style) == 0;
+  };
+  if (is("block"))
+    return is_inside_block(body, low, high);
+  if (is("sphere"))
+    return is_inside_ball(body, vector(middle.data()), high[0] - middle[0]);
+  if (is("cylinder")) {
+    const int axis = axis_of_cylinder(*within_, middle, high);
+    const auto along = static_cast<std::size_t>(axis), across = (along + 1) % 3;
+    return is_inside_cylinder(body, axis, vector(middle.data()), high[across] - middle[across],
+                              low[along], high[along]);
+  }
+  return is_inside_space(body, [this](const Vector3& point, double enough) {
+    return room_in_region(*domain, *within_, point, enough);
+  });
 }
 
 /// Whether a sphere keeps from the borders of its rank's domain.
@@ -239,8 +248,7 @@ bool InsertionSpace::occupy(const ParticleToInsertEllipsoid& particle, const dou
                             const double* quaternion) {
   const PlainBody plain = ellipsoid_host::plain_body(particle, centre, quaternion);
   const SolidBody body = solid_body(plain);
-  if (reaches_others(body, plain) || (within_ && !is_within_region(body, plain)) ||
-      !space_.is_free(body))
+  if (reaches_others(body, plain) || (within_ && !is_within_region(body)) || !space_.is_free(body))
     return false;
   space_.add(body);
   refusals_ = 0;

@@ -130,9 +130,9 @@ class InsertionOverlap(unittest.TestCase):
                                            p[:, 1].max() / 0.008 - 1.0, -p[:, 1].min() / 0.006 - 1.0)}[name]
                 self.assertLessEqual(outside, 1e-12, name)
 
-    def test_the_bounding_sphere_lies_in_other_regions(self):
+    def test_the_true_body_lies_in_other_regions(self):
         """Cones, prisms, planes, unions, intersections, outsides: no point of a body is beyond, by the region's
-        own definition."""
+        own definition; bodies of aspect 2.5 lie where their bounding spheres would not."""
         h = 0.01
         regions = {
             "cone": (["cloud cone z 0.0 0.0 0.002 0.008 -0.01 0.01"],
@@ -151,7 +151,26 @@ class InsertionOverlap(unittest.TestCase):
                                             -0.004 - p[:, 1]], axis=0)),
             "outside": (["one cylinder z 0 0 0.004 -0.02 0.02 side out", "two block -0.01 0.01 -0.01 0.01 -0.01 0.01",
                          "cloud intersect 2 one two"],
-                        lambda p: np.maximum(0.004 - np.hypot(p[:, 0], p[:, 1]), abs(p).max(1) - h))}
+                        lambda p: np.maximum(0.004 - np.hypot(p[:, 0], p[:, 1]), abs(p).max(1) - h)),
+            "edge": (["one block -0.01 0.01 -0.01 0.0 -0.01 0.01", "two block -0.01 0.0 -0.01 0.01 -0.01 0.01",
+                      "cloud union 2 one two"],  # an L, whose inner edge is in no face's foot
+                     lambda p: np.maximum(abs(p).max(1) - h, np.minimum(p[:, 0], p[:, 1]))),
+            "silo": (["one cone z 0 0 0.002 0.009 -0.01 0.0", "two cylinder z 0 0 0.009 0.0 0.01", "cloud union 2 one two"],
+                     lambda p: np.maximum(np.hypot(p[:, 0], p[:, 1]) - np.minimum(0.009, 0.009 + 0.7 * p[:, 2]),
+                                          abs(p[:, 2]) - h)),
+            "wedge": (["one cylinder y 0 0 0.01 -0.01 0.01", "two plane 0 0 0 0 0 1", "three plane 0 0 0 1 0 -0.2",
+                       "cloud intersect 3 one two three"],
+                      lambda p: np.max([np.hypot(p[:, 0], p[:, 2]) - h, abs(p[:, 1]) - h, -p[:, 2],
+                                        (0.2 * p[:, 2] - p[:, 0]) / math.hypot(1, 0.2)], axis=0)),
+            "hole": (["one block -0.004 0.003 -0.004 0.004 -0.02 0.02 side out", "two cone x 0 0 0.01 0.008 -0.01 0.01",
+                      "cloud intersect 2 one two"],
+                     lambda p: np.max([np.min([p[:, 0] + 4e-3, 3e-3 - p[:, 0], 4e-3 - abs(p[:, 1])], axis=0),
+                                       np.hypot(p[:, 1], p[:, 2]) - (0.009 - 0.1 * p[:, 0]), abs(p[:, 0]) - h], axis=0)),
+            "complement": (["one block -0.002 0.02 -0.02 0.02 -0.002 0.02", "two sphere -0.005 0 0 0.004",
+                            "three union 2 one two side out", "four block -0.01 0.01 -0.01 0.01 -0.01 0.01",
+                            "cloud intersect 2 three four"],
+                           lambda p: np.max([abs(p).max(1) - h, 0.004 - np.linalg.norm(p + [0.005, 0, 0], axis=1),
+                                             np.minimum(p[:, 0], p[:, 2]) + 0.002], axis=0))}
         theta, phi = np.meshgrid(np.linspace(0, math.pi, 40), np.linspace(0, 2 * math.pi, 80))
         unit = np.stack([np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)], -1).reshape(-1, 3)
         for name, (lines, beyond) in regions.items():
@@ -159,14 +178,17 @@ class InsertionOverlap(unittest.TestCase):
                 text = "".join(f"region {line} units box\n" if "union" not in line and "intersect" not in line
                                else f"region {line}\n" for line in lines)
                 run(setup(box=(-0.012, 0.012) * 3).without_particles() + text
-                    + pack("a", body(1.5e-3, 6e-4, 5e-4), count=60, tries=300, every="1")
+                    + pack("a", body(2.0e-3, 8e-4, 6e-4), count=100, tries=300, every="1")
                     + "fix motion all nve/ellipsoid\n" + OUT + "run 1\n", name=f"in.{name}")
                 bodies = frame("out.dump")
                 self.assertGreater(len(bodies.ids), 20)
                 self.assertEqual(overlaps(bodies), 0.0)
+                sticking_out = 0  # bounding spheres that do
                 for k in range(len(bodies.ids)):
                     p = bodies.x[k] + (unit * bodies.axes[k]) @ bodies.turn[k].T
                     self.assertLessEqual(beyond(p).max(), 1e-12)
+                    sticking_out += beyond(bodies.x[k] + unit * bodies.axes[k].max()).max() > 0.0
+                self.assertGreater(sticking_out, 5)
 
     def test_regions_that_change_are_refused(self):
         for region, message in (
