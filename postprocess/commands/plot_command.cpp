@@ -61,9 +61,10 @@ void plot(const PlotOptions& options) {
     return;
   }
   const Table runs = read_csv_files(options.files, figure_columns);
-  if (const std::string words = left_out_of_figures(runs); !words.empty())
+  const int number = std::stoi(options.what);
+  if (const std::string words = left_out_of_figures(runs, {number}); !words.empty())
     report_warning(words);
-  const auto charts = figure(std::stoi(options.what), runs, options.aspect_ratio);
+  const auto charts = figure(number, runs, options.aspect_ratio);
   constexpr int panel_width = 900; // pixels
   const int width =
       options.width > 0 ? options.width : panel_width * static_cast<int>(charts.size());

@@ -22,13 +22,14 @@ struct SummaryOptions {
   bool names_quantities = false, names_groups = false; ///< they are the user's choice
 };
 
+bool has_column(const Table& table, const std::string& key) {
+  const std::vector<Quantity> header = table.header();
+  return std::any_of(header.begin(), header.end(), [&](const Quantity& q) { return q.key == key; });
+}
+
 /// Every quantity that the user names must be there; of the usual ones at least one.
 void require_columns(const SummaryOptions& options, const Table& runs) {
-  const std::vector<Quantity> header = runs.header();
-  const auto is_missing = [&](const std::string& key) {
-    return std::none_of(header.begin(), header.end(),
-                        [&](const Quantity& q) { return q.key == key; });
-  };
+  const auto is_missing = [&](const std::string& key) { return !has_column(runs, key); };
   const auto begin = options.quantities.begin(), end = options.quantities.end();
   const auto missing = options.names_quantities || std::all_of(begin, end, is_missing)
                            ? std::find_if(begin, end, is_missing)
@@ -57,6 +58,10 @@ int summarise(const SummaryOptions& options) {
   require_columns(options, runs);
   for (const std::string& run : incomplete_runs(runs))
     report_warning(run + ": this run did not come to its end; it is among the means");
+  for (const std::string& key : options.quantities)
+    if (const std::string words = runs_without_number(runs, key);
+        !words.empty() && (options.names_quantities || has_column(runs, key)))
+      report_warning(words + ": not in its mean");
   const Table summary = summary_of(runs, groups, options.quantities);
   if (prints_text(options.output))
     write_text("-", as_text(summary_for_people(runs, groups, options.quantities)));

@@ -89,10 +89,10 @@ std::vector<ViewContact> contacts_of(const ViewOptions& options, ContactLists& l
 void say_sizes(const ViewOptions& options, const ViewSurvey& survey, const ViewPage& page,
                std::size_t particles, std::size_t bytes) {
   fmt::print(stderr,
-             "view: {}: {} frames, {:.3g} MB; {} bytes per particle and frame, {:.3g} after "
+             "view: {}: {} frame{}, {:.3g} MB; {} bytes per particle and frame, {:.3g} after "
              "compression; coordinates to {:.2g} (length)\n",
-             options.output, survey.frames(), 1e-6 * static_cast<double>(bytes),
-             page.bytes_per_particle(),
+             options.output, survey.frames(), survey.frames() == 1 ? "" : "s",
+             1e-6 * static_cast<double>(bytes), page.bytes_per_particle(),
              static_cast<double>(bytes) / static_cast<double>(std::max<std::size_t>(1, particles)),
              page.position_error());
 }

@@ -13,6 +13,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace ellipsoid::post {
 namespace {
@@ -259,7 +260,10 @@ Table drawn_in_figures(const Table& runs) {
   return drawn;
 }
 
-std::string left_out_of_figures(const Table& runs) {
+namespace {
+
+/// Mixtures and clumps, by name; or nothing.
+std::string of_no_figure(const Table& runs) {
   std::string names;
   std::size_t count = 0;
   for (const Row& row : runs.rows)
@@ -273,6 +277,34 @@ std::string left_out_of_figures(const Table& runs) {
   return fmt::format("{} of {} runs {} not in the figures, which are of ellipsoids with one number "
                      "N of sub-spheres (mixtures and clumps are not): {}",
                      count, runs.rows.size(), count == 1 ? "is" : "are", names);
+}
+
+/// Columns that a figure draws.
+std::vector<std::string> drawn_columns(int figure) {
+  static const std::map<int, std::vector<std::string>> columns = {
+      {12, {"repose_angle_deg"}},
+      {13, {"porosity", "zpp", "zss"}},
+      {15, {"repose_angle_deg", "porosity"}},
+      {17, {"relative_cpu_time"}},
+      {18, {"potential_contacts_per_particle"}}};
+  const auto found = columns.find(figure);
+  return found == columns.end() ? std::vector<std::string>() : found->second;
+}
+
+} // namespace
+
+std::string left_out_of_figures(const Table& runs, const std::vector<int>& figures) {
+  std::string text = of_no_figure(runs);
+  const Table drawn = drawn_in_figures(runs);
+  std::set<std::string> keys;
+  for (const int number : figures)
+    for (const std::string& key : drawn_columns(number))
+      keys.insert(key);
+  for (const Quantity& column : drawn.header())
+    if (keys.count(column.key) > 0)
+      if (const std::string words = runs_without_number(drawn, column.key); !words.empty())
+        text += (text.empty() ? "" : "; ") + words;
+  return text;
 }
 
 Table compared_with_paper(const Table& runs) {

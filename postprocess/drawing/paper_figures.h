@@ -16,8 +16,9 @@ extern const std::vector<std::string> figure_columns;
 
 /// The runs of smooth ellipsoids, and of ellipsoids with one number N of sub-spheres each.
 Table drawn_in_figures(const Table& runs);
-/// A sentence that names the others (mixtures, clumps), which are in no figure; or nothing.
-std::string left_out_of_figures(const Table& runs);
+/// A sentence that names the others (mixtures, clumps), which are in no figure, and those without
+/// a value that these figures draw; or nothing.
+std::string left_out_of_figures(const Table& runs, const std::vector<int>& figures);
 
 /// The paper's values of piles beside those of the runs: one row per quantity and number of
 /// sub-spheres that the paper reports and a run has.

@@ -6,6 +6,7 @@
 #include "whole_token.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 
@@ -48,7 +49,7 @@ Value value_of(const std::string& field) {
   if (field.empty())
     return std::monostate();
   if (const auto number = whole_token<double>(field))
-    return *number;
+    return std::isfinite(*number) ? Value(*number) : Value();
   return field;
 }
 
@@ -97,6 +98,21 @@ std::string columns_found(const Table& table) {
   for (const Quantity& q : table.header())
     text += (text.empty() ? "found only: " : ", ") + q.key;
   return text.empty() ? "found no rows" : text;
+}
+
+std::string runs_without_number(const Table& runs, const std::string& key) {
+  std::string names;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < runs.rows.size(); ++k) {
+    const Value* value = find_value(runs.rows[k], key);
+    if (double number = 0.0; value && as_number(*value, number))
+      continue;
+    const Value* run = find_value(runs.rows[k], "run");
+    names += (count++ > 0 ? ", " : "") + (run ? shown(*run) : fmt::format("row {}", k + 1));
+  }
+  return count == 0 ? ""
+                    : fmt::format("{} of {} runs {} no number in \"{}\" ({})", count,
+                                  runs.rows.size(), count == 1 ? "has" : "have", key, names);
 }
 
 bool as_number(const Value& value, double& number) {

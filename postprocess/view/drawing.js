@@ -7,17 +7,27 @@ class Drawing {
     const gl = canvas.getContext("webgl2", { alpha: false, antialias: true, preserveDrawingBuffer: true });
     if (!gl) throw new Error("This browser offers no WebGL2: open the page in a browser of 2022 or later.");
     this.gl = gl;
-    this.bodies_program = this.program(body_vertex_shader, body_fragment_shader);
+    this.leaves_out_early = Boolean(gl.getExtension("EXT_conservative_depth"));
+    this.bodies_program = this.program(body_vertex_shader, this.with_depths(body_fragment_shader));
     this.plain_program = this.program(plain_vertex_shader, plain_fragment_shader);
     this.chain_program = this.program(chain_vertex_shader, plain_fragment_shader.replace("in vec3 seen_at;", "const vec3 seen_at = vec3(0.0);"));
     this.bodies = this.data_texture();
     this.spheres = this.data_texture();
     this.colours = this.data_texture();
-    this.groups = [];   // bodies of one template: {first sphere, spheres, index buffer, count}
+    this.groups = [];   // bodies of one template: {first sphere, spheres, members, their order from front to back, its buffer}
+    this.rooms = new Map(); // what groups of a template take of the graphics processor's memory
     this.surfaces = []; // triangles of walls and meshes
     this.lines = null;
     this.chains = null;
     gl.enable(gl.DEPTH_TEST);
+  }
+
+  /// Where the browser can be told that depths are greater than those of the polygon, pixels behind
+  /// others cost next to nothing.
+  with_depths(fragment) {
+    if (!this.leaves_out_early) return fragment.replace("DEPTH_GREATER", "");
+    return fragment.replace("#version 300 es\n", "#version 300 es\n#extension GL_EXT_conservative_depth : require\n")
+        .replace("DEPTH_GREATER", "layout(depth_greater) out highp float gl_FragDepth;");
   }
 
   program(vertex, fragment) {
@@ -50,10 +60,13 @@ class Drawing {
   /// Four numbers a texel, row by row.
   fill_texture(texture, texels) {
     const gl = this.gl, width = 2048, height = Math.max(1, Math.ceil(texels.length / 4 / width));
-    const padded = texels.length === 4 * width * height ? texels : new Float32Array(4 * width * height);
-    if (padded !== texels) padded.set(texels);
+    const whole = Math.floor(texels.length / 4 / width), rest = texels.length / 4 - whole * width;
     gl.bindTexture(gl.TEXTURE_2D, texture);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, width, height, 0, gl.RGBA, gl.FLOAT, padded);
+    if (texture.height !== height) // else the memory of the frame before is taken
+      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, width, height, 0, gl.RGBA, gl.FLOAT, null);
+    texture.height = height;
+    if (whole > 0) gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, whole, gl.RGBA, gl.FLOAT, texels);
+    if (rest > 0) gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, whole, rest, 1, gl.RGBA, gl.FLOAT, texels, 4 * whole * width);
   }
 
   set_colours(colours) { // [[r, g, b], ...] from 0 to 255
@@ -76,17 +89,63 @@ class Drawing {
   set_bodies(texels, groups) {
     const gl = this.gl;
     this.fill_texture(this.bodies, texels);
-    for (const group of this.groups) { gl.deleteBuffer(group.buffer); gl.deleteVertexArray(group.array); }
-    this.groups = groups.filter((group) => group.members.length).map((group) => {
-      const array = gl.createVertexArray();
-      gl.bindVertexArray(array);
-      const buffer = this.buffer(group.members);
-      gl.enableVertexAttribArray(0);
-      gl.vertexAttribIPointer(0, 1, gl.UNSIGNED_INT, 0, 0);
-      gl.vertexAttribDivisor(0, Math.max(1, group.sphere_count));
-      gl.bindVertexArray(null);
-      return { ...group, array, buffer };
-    });
+    this.texels = texels;
+    this.sorted_along = null;
+    this.mean_size = 0; // largest semi-axis
+    for (let at = 11; at < texels.length; at += 12) this.mean_size += 12 * texels[at] / texels.length;
+    this.groups = groups.filter((group) => group.members.length).map((group) => ({ ...group, ...this.room(group) }));
+  }
+
+  /// Memory for the order of a group's bodies: that of the frame before where it is large enough.
+  room({ sphere_first, sphere_count, members }) {
+    const gl = this.gl, key = sphere_count ? sphere_first : -1, known = this.rooms.get(key), size = members.length;
+    if (known && known.steps.length >= size) return known;
+    if (known) { gl.deleteBuffer(known.buffer); gl.deleteVertexArray(known.array); }
+    const array = gl.createVertexArray();
+    gl.bindVertexArray(array);
+    const sorted = new Uint32Array(size), buffer = this.buffer(sorted);
+    gl.enableVertexAttribArray(0);
+    gl.vertexAttribIPointer(0, 1, gl.UNSIGNED_INT, 0, 0);
+    gl.vertexAttribDivisor(0, Math.max(1, sphere_count));
+    gl.bindVertexArray(null);
+    this.rooms.set(key, { array, buffer, sorted, steps: new Uint16Array(size) });
+    return this.rooms.get(key);
+  }
+
+  /// Orders the bodies from front to back, so that those behind are left out early. Small turns keep an order.
+  sort(camera) {
+    const m = matrix_of(camera.turn), along = [m[2], m[5], m[8]]; // towards the camera
+    const before = this.sorted_along, little = 0.99; // cosine
+    if (before && along[0] * before[0] + along[1] * before[1] + along[2] * before[2] > little) return;
+    this.sorted_along = along;
+    const gl = this.gl;
+    for (const group of this.groups) {
+      gl.bindBuffer(gl.ARRAY_BUFFER, group.buffer);
+      gl.bufferSubData(gl.ARRAY_BUFFER, 0, this.front_to_back(group, along));
+    }
+  }
+
+  /// Members by their distance along a direction, in steps of a thousandth of the scene.
+  front_to_back(group, along) {
+    const members = group.members, n = members.length, texels = this.texels, steps = 2048;
+    const begins = new Uint32Array(steps + 1);
+    for (let k = 0; k < n; ++k) {
+      const at = 12 * members[k];
+      const near = texels[at] * along[0] + texels[at + 1] * along[1] + texels[at + 2] * along[2]; // -1 to 1
+      const step = Math.max(0, Math.min(steps - 1, Math.floor((1 - near) * 0.5 * steps)));
+      group.steps[k] = step;
+      ++begins[step + 1];
+    }
+    for (let k = 0; k < steps; ++k) begins[k + 1] += begins[k];
+    for (let k = 0; k < n; ++k) group.sorted[begins[group.steps[k]]++] = members[k];
+    return group.sorted.subarray(0, n);
+  }
+
+  /// Corners of the polygons about bodies: eight leave a twentieth of the pixels empty, four a quarter; few
+  /// do for bodies of a few pixels, whose corners cost more than their pixels.
+  corners(camera) {
+    const pixels = this.mean_size / camera.height * this.canvas.height / 2, few = 4;
+    return pixels < few ? 4 : 8;
   }
 
   vertices(values, attributes, divisor) {
@@ -142,6 +201,11 @@ class Drawing {
           gl.bindTexture(gl.TEXTURE_2D, texture);
           gl.uniform1i(uniform, unit);
         });
+    const corners = this.corners(camera);
+    this.sort(camera);
+    gl.uniform1i(uniforms.corners, corners);
+    gl.uniform2f(uniforms.pixels, this.canvas.width, this.canvas.height);
+    gl.uniform1i(uniforms.cutting, Math.max(...shown.cut_low) > -1e6 || Math.min(...shown.cut_high) < 1e6 ? 1 : 0);
     gl.uniform3fv(uniforms.cut_low, shown.cut_low);
     gl.uniform3fv(uniforms.cut_high, shown.cut_high);
     gl.uniform2fv(uniforms.colour_range, shown.colour_range);
@@ -154,7 +218,7 @@ class Drawing {
       gl.bindVertexArray(group.array);
       for (const shift of shown.shifts) {
         gl.uniform3fv(uniforms.shift, shift);
-        gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, group.members.length * Math.max(1, group.sphere_count));
+        gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, corners, group.members.length * Math.max(1, group.sphere_count));
       }
     }
     gl.bindVertexArray(null);

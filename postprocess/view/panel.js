@@ -223,7 +223,7 @@ class Page {
       part("time").textContent = about.time_text + ", " + about.count + " particles";
       part("subtitle").textContent = part("time").textContent;
       this.drawing.set_lines(this.scene.box_lines(this.frame));
-      this.drawing.set_chains(this.scene.chains(this.frame));
+      if (header.has_forces) this.drawing.set_chains(this.scene.chains(this.frame));
       this.upload();
       this.select(this.picked_body === undefined ? -1 : this.frame.body.indexOf(this.picked_body));
     })();

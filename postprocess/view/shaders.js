@@ -1,6 +1,7 @@
-// Bodies are drawn as impostors: a rectangle that just covers the picture of an ellipsoid (Sigg, Weyrich,
-// Botsch, Gross 2006, GPU-based ray-casting of quadratic surfaces), in which each pixel finds its point by
-// intersecting its own ray with the ellipsoid. So outlines, cuts and depths are exact at any zoom.
+// Bodies are drawn as impostors: a polygon about the picture of an ellipsoid (Sigg, Weyrich, Botsch, Gross
+// 2006, GPU-based ray-casting of quadratic surfaces), in which each pixel finds its point by intersecting its
+// own ray with the ellipsoid. So outlines, cuts and depths are exact at any zoom. The polygon stands where the
+// body is nearest to the camera: depths are greater, and what lies behind other bodies can be left out early.
 
 const common_shader = `#version 300 es
 precision highp float; precision highp int; precision highp sampler2D;
@@ -17,10 +18,10 @@ uniform sampler2D bodies;   // three texels each: centre and value; quaternion; 
 uniform sampler2D spheres;  // centre and radius in units of the scale
 uniform int sphere_first, sphere_count; // 0: smooth
 uniform vec3 shift;         // to an image
+uniform int corners;        // of the polygon
 flat out vec3 centre, row_x, row_y, row_z;
 flat out float value;
 flat out uint which;
-out vec2 position;
 
 vec4 body_texel(int k) { int n = 3 * int(particle) + k, w = textureSize(bodies, 0).x; return texelFetch(bodies, ivec2(n % w, n / w), 0); }
 
@@ -31,14 +32,35 @@ mat3 rotation(vec4 q) {
               2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y));
 }
 
-// Where the planes through the camera touch the body: ends of its picture in one direction.
-vec2 ends(vec4 row, vec4 last, mat3 axes) {
-  float p = dot(row, vec4(centre, 1.0)), w = dot(last, vec4(centre, 1.0));
-  vec3 u = row.xyz * axes, v = last.xyz * axes;
-  float a = w * w - dot(v, v), b = p * w - dot(u, v), c = p * p - dot(u, u);
-  if (a <= 0.0) return vec2(-1.0, 1.0);
-  float root = sqrt(max(0.0, b * b - a * c));
-  return vec2(b - root, b + root) / a;
+// A corner of a polygon about the unit circle, in the order of a strip of triangles.
+vec2 corner() {
+  int k = (gl_VertexID & 1) == 0 ? gl_VertexID / 2 : corners - 1 - gl_VertexID / 2;
+  float share = 3.14159265 / float(corners), angle = (2.0 * float(k) + 1.0) * share;
+  return vec2(cos(angle), sin(angle)) * (1.0005 / cos(share));
+}
+
+// The polygon about the body's outline, which is an ellipse: the dual conic is that of all planes through the
+// camera that touch the body. Of bodies that reach around the camera: the whole picture.
+vec2 about_outline(mat4 rows, mat3 axes) {
+  vec4 at = vec4(centre, 1.0);
+  float w = dot(rows[3], at);
+  vec3 u = rows[0].xyz * axes, v = rows[1].xyz * axes, t = rows[3].xyz * axes;
+  float a = w * w - dot(t, t);
+  if (a <= 0.0) return 1.5 * corner();
+  if (w <= 0.0) return vec2(2.0); // behind the camera
+  vec2 place = vec2(dot(rows[0], at), dot(rows[1], at)) / w;
+  u -= place.x * t; v -= place.y * t;
+  vec2 b = -vec2(dot(u, t), dot(v, t)) / a;
+  float xx = b.x * b.x + dot(u, u) / a, xy = b.x * b.y + dot(u, v) / a, yy = b.y * b.y + dot(v, v) / a;
+  float l = sqrt(xx), m = l > 0.0 ? xy / l : 0.0;
+  vec2 c = corner();
+  return place + b + vec2(l * c.x, m * c.x + sqrt(max(0.0, yy - m * m)) * c.y);
+}
+
+// The least depth of the body, -1 to 1.
+float nearest_depth(mat4 rows, mat3 axes) {
+  float z = centre.z + length(vec3(axes[0].z, axes[1].z, axes[2].z)), w = rows[3].z * z + rows[3].w;
+  return w > 0.0 ? clamp((rows[2].z * z + rows[2].w) / w - 4e-6, -1.0, 0.999) : -1.0;
 }
 
 void main() {
@@ -61,22 +83,21 @@ void main() {
   row_x = axes[0] * inverse.x; row_y = axes[1] * inverse.y; row_z = axes[2] * inverse.z;
   axes = mat3(axes[0] * size.x, axes[1] * size.y, axes[2] * size.z);
   mat4 rows = transpose(projection);
-  float depth = (rows[2].z * centre.z + rows[2].w) / dot(rows[3], vec4(centre, 1.0));
-  vec2 xs = ends(rows[0], rows[3], axes), ys = ends(rows[1], rows[3], axes);
-  position = vec2((gl_VertexID & 1) == 0 ? xs.x : xs.y, (gl_VertexID & 2) == 0 ? ys.x : ys.y);
-  gl_Position = vec4(position, clamp(depth, -0.999, 0.999), 1.0);
+  gl_Position = vec4(about_outline(rows, axes), nearest_depth(rows, axes), 1.0);
 }`;
 
 const body_fragment_shader = common_shader + `
 flat in vec3 centre, row_x, row_y, row_z;
 flat in float value;
 flat in uint which;
-in vec2 position;
+uniform vec2 pixels;              // of the picture
 uniform vec3 cut_low, cut_high;  // in the scene
+uniform bool cutting;
 uniform vec2 colour_range;
 uniform sampler2D colours;
 uniform bool by_kind, picking;
 uniform uint selected;           // place of a particle in its frame + 1
+DEPTH_GREATER
 out vec4 colour;
 
 vec3 in_body(vec3 v) { return vec3(dot(row_x, v), dot(row_y, v), dot(row_z, v)); }
@@ -90,7 +111,7 @@ vec3 body_colour() {
 
 void main() {
   bool through_eye = projection[3][3] == 0.0;
-  vec2 slope = position / vec2(projection[0][0], projection[1][1]);
+  vec2 slope = (2.0 * gl_FragCoord.xy / pixels - 1.0) / vec2(projection[0][0], projection[1][1]);
   vec3 start = through_eye ? vec3(0.0) : vec3(slope, 0.0);
   vec3 ray = through_eye ? vec3(slope, -1.0) : vec3(0.0, 0.0, -1.0);
   float nearest = dot(centre - start, ray) / dot(ray, ray);
@@ -102,7 +123,7 @@ void main() {
   float half_chord = sqrt(inside / dd);
   float enter = nearest + middle - half_chord, leave = nearest + middle + half_chord;
   vec3 normal = vec3(0.0);
-  for (int k = 0; k < 3; ++k) {   // the part of the chord that is not cut off
+  for (int k = 0; cutting && k < 3; ++k) {   // the part of the chord that is not cut off
     vec3 axis = turn[k];
     float at = dot(axis, start + vec3(0.0, 0.0, distance_)) + target[k], along = dot(axis, ray);
     if (abs(along) < 1e-9) {

@@ -250,6 +250,30 @@ def check_gaps_of_tables():
         assert "1 of 13 rows have no number" in file.read()
 
 
+def check_runs_without_values():
+    """Means and figures of the paper name the runs that have no value of a quantity."""
+    keys = ("surface,subspheres,repose_angle_deg,porosity,zpp,zss,relative_cpu_time,potential_contacts_per_particle,run\n")
+    rows = ["smooth,,25,0.15,3,3,4,1.5,a", "smooth,,{},0.13,{},3.2,{},1.6,b", "multisphere,5,29,{},3.5,4,5,{},c", "multisphere,5,30,0.2,3.6,4.1,6,8,d"]
+    for gap in ("nan", "inf", "-inf", ""):
+        name = write("runs.csv", keys + "\n".join(rows).replace("{}", gap) + "\n")
+        out, error = post("summary", name, "--json", "-")
+        for key, run in (("repose_angle_deg", "b"), ("porosity", "c"), ("zpp", "b")):
+            assert f'1 of 4 runs has no number in "{key}" ({run}): not in its mean' in error, (gap, key, error)
+        assert error.count("warning") == 3 and "nan" not in out and "inf" not in out, (gap, out, error)
+        smooth = next(row for row in json.loads(out) if row["surface"] == "smooth")
+        assert smooth["repose_angle_mean_deg"] == 25 and smooth["porosity_mean"] == 0.14, smooth
+        for number, missing in ((12, ("repose_angle_deg",)), (13, ("porosity", "zpp")), (15, ("repose_angle_deg", "porosity")),
+                                (17, ("relative_cpu_time",)), (18, ("potential_contacts_per_particle",))):
+            _, error = post("plot", number, name, "-o", "figure.svg")
+            assert error.count("has no number in") == len(missing), (gap, number, error)
+            assert all(f'1 of 4 runs has no number in "{key}"' in error for key in missing), (gap, number, error)
+            with open("figure.svg", encoding="utf8") as file:
+                text = file.read()
+            assert "nan" not in text and "inf" not in text, (gap, number)
+    whole = write("runs.csv", keys + "\n".join(rows).replace("{}", "2") + "\n")
+    assert "warning" not in post("summary", whole)[1] + post("plot", 13, whole, "-o", "figure.svg")[1]
+
+
 def check_numbers_of_options():
     """Neither nan nor inf is a number for any option that takes numbers."""
     name = write("numbers.dump", frame_text(1, [particle(k + 1, 2e-3 * k, 2e-3) for k in range(3)]))
@@ -296,6 +320,7 @@ def main():
     check_numbers_of_options()
     check_ranges()
     check_gaps_of_tables()
+    check_runs_without_values()
     assert len(rows_of("energy", "plain.dump")) == 1
 
 

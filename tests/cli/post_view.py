@@ -196,6 +196,116 @@ def check_words(answer, rows, about):
     assert "24 particles" in answer["time"], answer["time"]
 
 
+def seen_through_eye(rows, chain, places, about, turn):
+    """Row at each place of the page (-1: nothing), by rays from the eye of a camera that is turned; None where two are near."""
+    eye = about["target"] + turn.T @ [0, 0, about["distance"]]  # turn: from the scene to the camera
+    best, which = np.full((5, len(places)), np.inf), np.full((5, len(places)), -1)
+    for n, (dx, dy) in enumerate(((0, 0), (0.7, 0), (-0.7, 0), (0, 0.7), (0, -0.7))):
+        x = (2.0 * (places[:, 0] + dx) / about["width"] - 1.0) * about["width"] / about["height"]
+        y = 1.0 - 2.0 * (places[:, 1] + dy) / about["height"]
+        rays = np.column_stack([x, y, np.full(len(x), -1.0 / np.tan(np.pi / 12))]) @ turn
+        for k, row in enumerate(rows):
+            for centre, body, axes in bodies_of(row, chain):
+                o, d = ((eye - centre) @ body) / axes, (rays @ body) / axes
+                a, b, c = (d * d).sum(axis=1), d @ o, o @ o - 1.0
+                root = b * b - a * c
+                enter = (-b - np.sqrt(np.maximum(root, 0.0))) / a
+                closer = (root > 0.0) & (enter > 0.0) & (enter < best[n])
+                best[n], which[n] = np.where(closer, enter, best[n]), np.where(closer, k, which[n])
+    return [int(w[0]) if (w == w[0]).all() else None for w in which.T]
+
+
+FROM_INSIDE = """
+const { camera, drawing, scene } = page, places = %(places)s;
+page.set_theme("light");
+page.shown.box = false;
+camera.perspective = true;
+camera.turn = %(turn)s;
+answer.views = %(views)s.map(([height, target]) => {
+  camera.height = height;
+  camera.target = scene.scaled(target);
+  return { width: drawing.canvas.clientWidth, height: drawing.canvas.clientHeight, target, distance: camera.distance * scene.radius,
+           picked: places.map(([x, y]) => page.pick(x, y)) };
+});
+// without the extension that leaves pixels out early the picture is the same
+const whole = () => { page.draw_now(); const { gl, canvas } = page.drawing, bytes = new Uint8Array(4 * canvas.width * canvas.height);
+  gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes); return bytes; };
+page.select(-1);
+const first = whole(), canvas = document.body.appendChild(document.createElement("canvas"));
+canvas.style = "position: fixed; inset: 0; width: 100%%; height: 100%%; z-index: -1";
+const prototype = WebGL2RenderingContext.prototype, extension = prototype.getExtension;
+answer.has_extension = drawing.leaves_out_early;
+prototype.getExtension = () => null;
+page.drawing = new Drawing(canvas);
+answer.has_none = !page.drawing.leaves_out_early;
+page.drawing.set_spheres(scene.sphere_texels());
+page.set_colour(page.column);
+const second = whole();
+answer.different = first.length === second.length ? first.reduce((sum, byte, k) => sum + (byte !== second[k]), 0) : -1;
+answer.drawn = first.reduce((sum, byte) => sum + (byte !== 255), 0);
+prototype.getExtension = extension;
+page.drawing = drawing;
+// what a picture costs
+const { gl } = drawing, cost = {}, clear = () => Object.assign(cost, { draws: 0, instances: 0, bytes: 0 });
+for (const name of ["drawArrays", "drawArraysInstanced"]) {
+  const call = gl[name].bind(gl);
+  gl[name] = (...all) => { ++cost.draws; cost.instances += all[3] || 0; return call(...all); };
+}
+for (const name of ["bufferData", "bufferSubData", "texImage2D", "texSubImage2D"]) {
+  const call = gl[name].bind(gl);
+  gl[name] = (...all) => { for (const part of all) if (ArrayBuffer.isView(part)) cost.bytes += part.byteLength; return call(...all); };
+}
+const costs_of = (change) => { clear(); change(); page.draw_now(); return { ...cost }; };
+answer.costs = { turned: costs_of(() => camera.rotate(0.05, 0)), again: costs_of(() => camera.zoom(1.1)),
+                 around: costs_of(() => camera.rotate(3.0, 0)) };
+clear();
+await page.set_frame(0);
+page.draw_now();
+answer.new_frame = cost.bytes / page.frame.count;
+answer.order = drawing.groups.map((group) => {
+  const m = matrix_of(camera.turn);
+  return Array.from(group.sorted.subarray(0, group.members.length), (p) => [0, 1, 2].reduce((sum, k) => sum + m[3 * k + 2] * drawing.texels[12 * p + k], 0));
+});
+camera.height = 20;
+answer.corners = [drawing.corners(camera)];
+camera.height = 0.2;
+answer.corners.push(drawing.corners(camera));
+"""
+
+
+def check_eye_and_costs(folder):
+    """Through the eye of a turned camera, from outside and among the bodies; what a picture costs."""
+    rng = np.random.default_rng(SEED + 2)
+    rows = scene(rng, 60)
+    (folder / "eye.dump").write_text(frame_text(0, rows, COLUMNS))
+    post("view", folder / "eye.dump", "-o", folder / "eye.html", "--no-walls")
+    q = np.array([0.6, 0.3, -0.64, 0.2])
+    q /= np.linalg.norm(q)
+    places = np.column_stack([rng.integers(5, SIZE[0] - 5, 150), rng.integers(5, 330, 150)]) + 0.5
+    middle = np.mean([[row[c] for c in "xyz"] for row in rows], axis=0)
+    views = [[0.6, list(middle)], [0.05, list(middle)], [0.004, [rows[5][c] for c in "xyz"]]]
+    answer = ask(folder / "eye.html", FROM_INSIDE % {"places": json.dumps(places.tolist()), "turn": json.dumps(q.tolist()),
+                                                     "views": json.dumps(views)}, folder, SIZE)
+    assert answer["complaints"] == [], answer["complaints"]
+    chain = chain_spheres(2.7e-3, 1.15e-3)
+    for view in answer["views"]:
+        expected_rows = seen_through_eye(rows, chain, places, view, rotation(q))
+        sure = [k for k, row in enumerate(expected_rows) if row is not None]
+        wrong = [(places[k].tolist(), view["picked"][k], expected_rows[k]) for k in sure
+                 if (view["picked"][k] or -1) != (rows[expected_rows[k]]["id"] if expected_rows[k] >= 0 else -1)]
+        assert len(sure) > 75 and not wrong, (view["distance"], len(sure), wrong[:5])
+    assert answer["has_none"] and answer["different"] == 0 and answer["drawn"] > 1000, {k: answer[k] for k in ("has_none", "different", "drawn")}
+    spheres = sum(5 if row["f_subspheres"] else 1 for row in rows)
+    for kind, costs in answer["costs"].items():
+        assert costs["draws"] == 2 and costs["instances"] == spheres, (kind, costs)  # smooth bodies, chains
+        assert costs["bytes"] == (4 * len(rows) if kind == "around" else 0), (kind, costs)  # a new order, from front to back
+    assert answer["new_frame"] == 52 + 288 / len(rows), answer["new_frame"]  # twelve numbers and a place in the order; the box
+    for depths in answer["order"]:
+        assert all(d >= e - 2 / 2048 - 1e-6 for d, e in zip(depths, depths[1:])), depths
+    assert answer["corners"] == [4, 8], answer["corners"]
+    print(f"early depth: {answer['has_extension']}")
+
+
 def check_chains_and_walls(folder):
     """Two spheres that press each other before a wall: the chain between their centres is seen, and as wide as it should be."""
     rows = [dict(zip(COLUMNS, (k, 1, 1e-5, x, 0.0, 0.0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1e-3, 1e-3, 1e-3, 0, 0.0)))
@@ -315,6 +425,7 @@ def main():
     folder = pathlib.Path.cwd()
     print(f"seed {SEED}")
     check_page(folder, np.random.default_rng(SEED))
+    check_eye_and_costs(folder)
     check_chains_and_walls(folder)
     check_images_and_first_view(folder)
     check_refusals(folder)

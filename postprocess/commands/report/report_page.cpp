@@ -114,12 +114,14 @@ std::vector<ReportedRun> as_in_the_paper(const std::vector<ReportedRun>& runs) {
 
 Row measures_of_pile(const ReportedRun& run) { return run.pile ? run.measures : Row(); }
 
+const std::vector<int> pile_figures = {12, 13, 15};
+
 /// The figures that these runs can fill.
 std::string figures_of(const Table& piles, PaperPoints points) {
   std::string html;
   if (piles.rows.empty())
     return html;
-  for (const int number : {12, 13, 15}) {
+  for (const int number : pile_figures) {
     try {
       const auto charts = figure(number, piles, 2.7 / 1.15, points);
       html += html_picture(drawing(
@@ -153,7 +155,7 @@ void append_piles(std::vector<HtmlSection>& sections, const std::vector<Reported
     compared = html_table(table, "The paper's values and those of the runs with its parameters");
   sections.push_back({"Compared with the paper", compared + differences_of(runs, names)});
   const bool all_same = same.size() == piles.rows.size();
-  const std::string left_out = left_out_of_figures(piles);
+  const std::string left_out = left_out_of_figures(piles, pile_figures);
   sections.push_back(
       {"Figures", (left_out.empty() ? "" : paragraph(left_out + ".")) +
                       figures_of(drawn_in_figures(piles),
