@@ -1,12 +1,14 @@
 """Time of a step with clumps of 17, 55 and 200 spheres, beside the host's fix multisphere with the same spheres,
 law and bodies: stones that fall, most of them alone, or a dense bed of several layers. Prints ns of processor time per body and step, and the
-ratio, measured in one run, one after the other, twice; the faster of each counts.
+ratio, measured in one run, one after the other, twice; the faster of each counts. Adds a row for each to clumps.csv.
 
-    python3 tests/bench/clumps.py [--dense] [FOLDER]
+    python3 tests/bench/clumps.py [--dense] [FOLDER [SPHERES ...]]
 
-ELLIPSOID_BIN: folder of the engine, build/bin of this tree where it is not given. Needs numpy.
+SPHERES: of a body, 17 55 200 where none are given. ELLIPSOID_BIN: folder of the engine, build/bin of this tree where it is
+not given. Needs numpy.
 """
 
+import csv
 import os
 import sys
 from pathlib import Path
@@ -80,7 +82,7 @@ def clump_script(body, start):
 
 
 def timed(script, name):
-    """Processor time (s) of STEPS steps after the script, by two readings of the engine's clock."""
+    """Processor time (s) of STEPS steps some steps after the script, by two readings of the engine's clock."""
     clock = Path(f"clock.{name}")
     clock.unlink(missing_ok=True)
     read = f"shell sh {Path(__file__).resolve().parent / 'clock.sh'} {clock}\n"
@@ -98,27 +100,38 @@ def put_together(columns, count):
     return columns
 
 
+def keep(case, count, bodies, host, clump):
+    """Adds a row to clumps.csv, below the names of its columns if it is new."""
+    is_new = not Path("clumps.csv").exists()
+    with open("clumps.csv", "a", newline="") as file:
+        rows = csv.writer(file, lineterminator="\n")
+        if is_new:
+            rows.writerow(["case", "spheres", "bodies", "fix_multisphere_ns", "clump_ns", "ratio"])
+        rows.writerow([case, count, bodies, f"{host:.0f}", f"{clump:.0f}", f"{host / clump:.2f}"])
+
+
 def measure(count):
     body = stone(count)
     columns = "id x y z vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz".split()
-    script = host_script(body)
-    run(script + dump("start.dump", 1, columns) + "run 0\n", name="in.start", timeout=3600)
-    start = Cloud(BODIES, "", 0.0, body).bodies(put_together(read_dump("start.dump")[1], count))
+    script = host_script(body) + dump("start.dump", 1, columns) + "run 0\nundump d\n"
     times = {"host": [], "clump": []}
     for _ in range(2):
-        times["clump"].append(timed(clump_script(body, start), "clump"))
         times["host"].append(timed(script, "host"))
+        start = Cloud(BODIES, "", 0.0, body).bodies(put_together(read_dump("start.dump")[1], count))
+        times["clump"].append(timed(clump_script(body, start), "clump"))
     bodies = start["x"].shape[1]
     height = start["x"][0][:, 2]
     host, clump = (1e9 * min(times[k]) / (STEPS * bodies) for k in ("host", "clump"))
+    keep("dense" if DENSE else "falling", count, bodies, host, clump)
     print(f"{count} spheres, {bodies} bodies: fix multisphere {host:.0f} ns, clump {clump:.0f} ns per body and "
           f"step, ratio {host / clump:.1f}; centres at {1e3 * height.min():.1f} to {1e3 * height.max():.1f} mm, speed "
           f"{np.linalg.norm(start['v'][0], axis=1).mean():.3f} m/s", flush=True)
 
 
 if __name__ == "__main__":
-    for folder in [word for word in sys.argv[1:] if word != "--dense"]:
+    words = [word for word in sys.argv[1:] if word != "--dense"]
+    for folder in words[:1]:
         os.makedirs(folder, exist_ok=True)
         os.chdir(folder)
-    for spheres in (17, 55, 200):
+    for spheres in map(int, words[1:] or (17, 55, 200)):
         measure(spheres)

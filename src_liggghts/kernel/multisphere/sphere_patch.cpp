@@ -91,7 +91,16 @@ void cover(CoveredAngles& covered, const CapCircle& circle, const SphereCap& oth
   covered.add(from, width);
 }
 
-/// Leaves one of caps that are the same, the largest first.
+/// Whether a cap lies in one that is as large or larger, and does not touch its circle: the angle
+/// between their normals and its own half angle are less than the half angle of the larger one.
+bool is_inside(const SphereCap& cap, const SphereCap& larger, double cosine) {
+  const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine)),
+               half_sine = std::sqrt((1.0 - cap.height) * (1.0 + cap.height));
+  return cosine * cap.height - sine * half_sine > larger.height + same_circle &&
+         sine * cap.height + cosine * half_sine >= 0.0; // the sum is no more than pi
+}
+
+/// Leaves one of caps that are the same, and none that lies within another; the largest first.
 /// @return false if two of them cover the whole sphere and touch along their circle
 bool make_unique(std::vector<SphereCap>& caps) {
   std::stable_sort(caps.begin(), caps.end(),
@@ -100,17 +109,15 @@ bool make_unique(std::vector<SphereCap>& caps) {
   for (const SphereCap& cap : caps) {
     bool is_new = true;
     for (const SphereCap& other : kept) {
-      const double cosine = dot(cap.normal, other.normal);
-      if (std::fabs(cosine) < 1.0 - 1e-9)
-        continue;
-      const double side = cosine > 0.0 ? 1.0 : -1.0;
-      if (norm(cap.normal - side * other.normal) < same_circle &&
-          std::fabs(cap.height - side * other.height) < same_circle) {
-        if (side < 0.0)
-          return false;
-        is_new = false;
+      const double cosine = dot(cap.normal, other.normal), side = cosine > 0.0 ? 1.0 : -1.0;
+      const bool is_same_circle = std::fabs(cosine) >= 1.0 - 1e-9 &&
+                                  norm(cap.normal - side * other.normal) < same_circle &&
+                                  std::fabs(cap.height - side * other.height) < same_circle;
+      if (is_same_circle && side < 0.0)
+        return false;
+      is_new = !is_same_circle && !is_inside(cap, other, cosine);
+      if (!is_new)
         break;
-      }
     }
     if (is_new)
       kept.push_back(cap);
