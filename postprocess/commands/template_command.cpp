@@ -153,6 +153,7 @@ TemplateChoice set_choice(const CLI::App& command, const TemplateOptions& option
                         given("--measure", options.measure), options.tolerance, options.files};
   if (const auto count = whole_token<int>(options.files.spheres);
       count && !options.sets.mesh.empty()) {
+    refuse_without_effect(command, {"--subspheres"}, "with a number of --spheres");
     choice.counts = {*count};
     choice.files.spheres.clear();
   }

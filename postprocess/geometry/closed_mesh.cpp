@@ -3,6 +3,7 @@
 
 #include "input_error.h"
 #include "nested_surfaces.h"
+#include "solid_columns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +49,23 @@ void check_edges(const std::vector<Triangle3>& triangles, const std::string& nam
       "the same way, one of them at ({:g}, {:g}, {:g}); mend the mesh (fill holes, join equal "
       "corners)",
       name, std::count_if(edges.begin(), edges.end(), bad), edges.size(), x, y, z));
+}
+
+constexpr int test_columns = 300;       ///< over each side of the box
+constexpr double most_entangled = 1e-3; ///< of the volume; less does not change what is measured
+
+/// A scan may have folds that cut each other: they do no harm where they are small.
+void check_entangled(const std::vector<Triangle3>& triangles, const MeshMeasures& m,
+                     const std::string& name) {
+  const Vector3 size = m.box.upper - m.box.lower;
+  const ColumnGrid grid{m.box.lower.x,         m.box.lower.y, size.x / test_columns,
+                        size.y / test_columns, test_columns,  test_columns};
+  const double share = entangled_volume(grid, triangles) / std::fabs(m.volume);
+  if (share > most_entangled)
+    throw InputError(fmt::format(
+        "{}: the surface cuts itself: {:.3g} % of its volume lies where it goes round twice or the "
+        "wrong way, {:g} % are allowed; mend the mesh (unite what overlaps)",
+        name, 100.0 * share, 100.0 * most_entangled));
 }
 
 SymmetricMatrix3 square_of(const Vector3& a) {
@@ -112,6 +130,7 @@ std::vector<Triangle3> checked_closed(std::vector<Triangle3> triangles, const st
   if (m.volume < 0.0)
     for (Triangle3& t : triangles)
       std::swap(t[1], t[2]);
+  check_entangled(triangles, m, name);
   return triangles;
 }
 

@@ -38,10 +38,19 @@ void join(ColumnParts& parts) {
     parts.resize(last + 1);
 }
 
-/// Adds z where the axis of each column passes a triangle; one of two triangles with a common edge
+/// Where the axis of a column passes a triangle.
+struct Crossing {
+  double z;
+  int step; ///< upwards: 1 into the body, -1 out of it, for triangles that are turned outwards
+};
+
+/// The crossings of each column, from below to above.
+using Crossings = std::vector<std::vector<Crossing>>;
+
+/// Adds the crossings of the columns with a triangle; one of two triangles with a common edge
 /// takes an axis through it.
 void add_crossings(const ColumnGrid& grid, const std::array<Vector3, 3>& triangle,
-                   std::vector<std::vector<double>>& crossings) {
+                   Crossings& crossings) {
   const auto [a, b, c] = triangle;
   const auto [i0, i1] = range_of(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), grid.x0,
                                  grid.width_x, grid.nx);
@@ -67,9 +76,21 @@ void add_crossings(const ColumnGrid& grid, const std::array<Vector3, 3>& triangl
       const double y = grid.y(j);
       const double u = ((x - a.x) * (c.y - a.y) - (c.x - a.x) * (y - a.y)) / area,
                    v = ((b.x - a.x) * (y - a.y) - (x - a.x) * (b.y - a.y)) / area;
-      crossings[index_of(grid, i, j)].push_back(a.z + u * (b.z - a.z) + v * (c.z - a.z));
+      crossings[index_of(grid, i, j)].push_back(
+          {a.z + u * (b.z - a.z) + v * (c.z - a.z), area < 0.0 ? 1 : -1});
     }
   }
+}
+
+Crossings sorted_crossings(const ColumnGrid& grid,
+                           const std::vector<std::array<Vector3, 3>>& triangles) {
+  Crossings crossings(static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny));
+  for (const std::array<Vector3, 3>& triangle : triangles)
+    add_crossings(grid, triangle, crossings);
+  for (std::vector<Crossing>& column : crossings)
+    std::sort(column.begin(), column.end(),
+              [](const Crossing& a, const Crossing& b) { return a.z < b.z; });
+  return crossings;
 }
 
 } // namespace
@@ -126,15 +147,25 @@ SolidColumns sphere_columns(const ColumnGrid& grid, const SphereSet& set) {
 SolidColumns mesh_columns(const ColumnGrid& grid,
                           const std::vector<std::array<Vector3, 3>>& triangles) {
   SolidColumns columns = empty_columns(grid);
-  std::vector<std::vector<double>> crossings(columns.size());
-  for (const std::array<Vector3, 3>& triangle : triangles)
-    add_crossings(grid, triangle, crossings);
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    std::sort(crossings[k].begin(), crossings[k].end());
+  const Crossings crossings = sorted_crossings(grid, triangles);
+  for (std::size_t k = 0; k < columns.size(); ++k)
     for (std::size_t m = 0; m + 1 < crossings[k].size(); m += 2)
-      columns[k].push_back({crossings[k][m], crossings[k][m + 1]});
-  }
+      columns[k].push_back({crossings[k][m].z, crossings[k][m + 1].z});
   return columns;
+}
+
+double entangled_volume(const ColumnGrid& grid,
+                        const std::vector<std::array<Vector3, 3>>& triangles) {
+  double length = 0.0;
+  for (const std::vector<Crossing>& column : sorted_crossings(grid, triangles)) {
+    int winding = 0;
+    for (std::size_t m = 0; m + 1 < column.size(); ++m) {
+      winding += column[m].step;
+      if (winding != 0 && winding != 1)
+        length += column[m + 1].z - column[m].z;
+    }
+  }
+  return grid.width_x * grid.width_y * length;
 }
 
 CommonVolume common_volume(const ColumnGrid& grid, const SolidColumns& first,

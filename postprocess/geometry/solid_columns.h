@@ -46,6 +46,11 @@ SolidColumns sphere_columns(const ColumnGrid& grid, const SphereSet& set);
 SolidColumns mesh_columns(const ColumnGrid& grid,
                           const std::vector<std::array<Vector3, 3>>& triangles);
 
+/// The volume of all places that a closed surface, turned outwards, goes round neither once nor not
+/// at all, because it cuts itself (length^3).
+double entangled_volume(const ColumnGrid& grid,
+                        const std::vector<std::array<Vector3, 3>>& triangles);
+
 /// Volumes (length^3).
 struct CommonVolume {
   double first = 0.0, second = 0.0, common = 0.0;

@@ -386,6 +386,19 @@ def check_surfaces():
         solid = np.abs(points - 2.0).max(1) > 1.0
         share = np.mean(in_union(points, centres, radii) != solid) * 64.0 / 56.0
         assert abs(float(row["in_exactly_one"]) - share) < 0.006, (row, share)
+    # a needle and a plate, not along the axes: as many spheres as wanted, by random points
+    cos, sin = np.cos(0.7), np.sin(0.7)
+    turn = np.array([[cos, -sin, 0.0], [0.6 * sin, 0.6 * cos, -0.8], [0.8 * sin, 0.8 * cos, 0.6]])
+    for name, semiaxes, n in (("needle.stl", (1.0, 0.03, 0.02), 60), ("plate.stl", (1.0, 0.8, 0.04), 400)):
+        write_stl(name, ellipsoid_triangles(semiaxes, 40, 48) @ turn.T, True)
+        (row,) = rows_of("template", "--from", name, "--spheres", n)
+        centres, radii = spheres_of("--from", name, "--subspheres", n)
+        assert len(radii) == n
+        own = centres @ turn
+        share, deviation = random_share(np.array(semiaxes), own, radii)
+        found = float(row["in_exactly_one"])
+        assert abs(found - share) < 5.0 * deviation + 0.02, (name, found, share)
+        print(f"{name}: {n} spheres leave {found:.3f} of the volume")
     write("ball.csv", "1.5,1,0.5,0.5\n")
     (row,) = rows_of("template", "--clump", "ball.csv", "--from", "box.stl")
     assert abs(float(row["in_exactly_one"]) - (1.0 - np.pi / 6.0 / 6.0)) < 1e-3
@@ -409,6 +422,21 @@ def check_bad_surfaces():
     in_hollow = np.concatenate([box_triangles((size,) * 3) - 0.5 * size for size in (1.0, 3.0, 2.0)])
     write_stl("in_hollow.stl", in_hollow, True)
     assert "2 bodies apart in 3" in post("template", "--from", "in_hollow.stl", expect=1)[1]
+    # one surface: its top pulled through its bottom, its upper part turned inside out, and a dent that is none of that
+    body = ellipsoid_triangles((1.0, 0.6, 0.8))
+    top = np.abs(body - (0.0, 0.0, 0.8)).max(2) < 1e-12
+    through, turned, dent = body.copy(), body.copy(), body.copy()
+    through[..., 2] -= np.where(body[..., 2] > 0.5, 1.8, 0.0)
+    dent[top] = (0.0, 0.0, -0.5)
+    turned[..., 0] *= np.where(turned[..., 2] > 0.3, -1.0, 1.0)
+    for name, triangles in (("through.stl", through), ("turned.stl", turned)):
+        write_stl(name, triangles, False)
+        _, error = post("template", "--from", name, expect=1)
+        assert f"{name}: the surface cuts itself" in error and error.count("\n") == 1, error
+    write_stl("dent.stl", dent, False)
+    assert post("template", "--from", "dent.stl", "--spheres", 5)[1] == ""
+    words = ("--from", "dent.stl", "--spheres", 5, "--subspheres", 6)
+    assert "--subspheres: has no effect with a number of --spheres" in post("template", *words, expect=2)[1]
     write("words.stl", "these are words\n")
     assert "STL file" in post("template", "--from", "words.stl", expect=1)[1]
     write_stl("box.stl", box_triangles((1.0, 1.0, 1.0)), True)

@@ -13,7 +13,10 @@
 namespace ellipsoid::post {
 namespace {
 
-constexpr int ball_candidates = 4000, voxels_along = 64, outline_points = 12000;
+constexpr int ball_candidates = 4000, outline_points = 12000;
+/// Volume is counted on as many voxels as a cube of so many along each side has, at most so many
+/// along one: long and flat bodies have their voxels where they are.
+constexpr int voxels_of_cube = 64, most_voxels_along = 512;
 constexpr int search_columns = 150; ///< of the search for a count, confirmed with more
 constexpr int most_shrinkings = 40;
 constexpr int rim_voxels = 4; ///< about the body, where spheres may stick out
@@ -44,9 +47,10 @@ Ball shrunken_ball(const TriangleTree& tree, const MeshPoint& point, double size
 /// Places of a cubic grid, whether they are inside, and whether a ball holds them.
 class Voxels {
  public:
-  Voxels(const Solid& solid, int along) {
+  explicit Voxels(const Solid& solid) {
     const Vector3 size = solid.box.upper - solid.box.lower;
-    const double width = std::max({size.x, size.y, size.z}) / along;
+    const double width = std::max(std::cbrt(size.x * size.y * size.z) / voxels_of_cube,
+                                  std::max({size.x, size.y, size.z}) / most_voxels_along);
     const Vector3 margin = rim_voxels * Vector3{width, width, width};
     grid_ = columns_over(solid.box, {solid.box.lower - margin, solid.box.upper + margin},
                          static_cast<int>(std::ceil(std::max(size.x, size.y) / width - 1e-9)));
@@ -152,7 +156,7 @@ SphereSet ordered_by_gain(const std::vector<Ball>& balls, Voxels& voxels) {
 
 /// The length by which all radii grow: where as much of what is missing is gained as sticks out.
 double best_growth(const SphereSet& set, const Solid& solid) {
-  const Voxels voxels(solid, voxels_along);
+  const Voxels voxels(solid);
   std::vector<std::pair<double, int>> steps; // growth that reaches a voxel, and what that is worth
   for (int j = 0; j < voxels.grid().ny; ++j)
     for (int i = 0; i < voxels.grid().nx; ++i)
@@ -205,11 +209,12 @@ MeshClumps::MeshClumps(std::vector<Triangle3> closed_triangles)
     if (ball.radius > 1e-6 * size)
       balls.push_back(ball);
   }
-  Voxels voxels(solid_, voxels_along);
+  Voxels voxels(solid_);
   balls_ = ordered_by_gain(balls, voxels);
   if (balls_.count() == 0)
-    throw InputError(
-        "the surface holds no ball of the size of 1/64 of the body; give a thicker body");
+    throw InputError("the surface holds no ball that reaches the middle of a voxel, of which there "
+                     "are 512 along "
+                     "the body at most; give a thicker body");
 }
 
 SphereSet MeshClumps::spheres(int count, SphereSpacing spacing) const {
