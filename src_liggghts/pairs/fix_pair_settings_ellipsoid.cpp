@@ -10,6 +10,7 @@
 #include "pair_gran_ellipsoid.h"
 
 #include <algorithm>
+#include <cstring>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -31,7 +32,54 @@ std::vector<std::string> in_one_order(const std::string& arguments) {
   return pairs;
 }
 
+/// What the fixes of a restart file wrote, which the host keeps for itself until they are there.
+struct RestartData : Modify {
+  /// The text of fix pair_settings/ellipsoid; empty where the file has none.
+  static std::string pair_settings(Modify& modify) {
+    for (int k = 0; k < modify.nfix_restart_global; ++k)
+      if (std::strcmp((modify.*(&RestartData::style_restart_global))[k],
+                      "pair_settings/ellipsoid") == 0)
+        return (modify.*(&RestartData::state_restart_global))[k];
+    return {};
+  }
+};
+
+bool begins_with(const std::string& text, const std::string& begin) {
+  return text.compare(0, begin.size(), begin) == 0;
+}
+
+/// One more mesh may come behind those that were there.
+bool is_same_kind(const std::string& former, const std::string& present) {
+  return former == present ||
+         (begins_with(former, "meshes ") && begins_with(present, former + " "));
+}
+
 } // namespace
+
+void ellipsoid_host::compare_with_restart(LAMMPS* lmp, const std::string& id, const HasLaw& wall) {
+  const auto refuse = [&](const std::string& former, const std::string& present,
+                          const std::string& remedy) {
+    lmp->error->all(
+        FLERR, ("The restart file has contacts with the wall of fix wall/gran/ellipsoid '" + id +
+                "' " + former + ", the script has " + present + "; repeat the former" + remedy +
+                ", or give the wall another ID: its contacts then begin without history")
+                   .c_str());
+  };
+  std::istringstream lines(RestartData::pair_settings(*lmp->modify));
+  for (std::string line; std::getline(lines, line);) {
+    if (begins_with(line, "wall " + id + " ")) {
+      const std::string former = line.substr(6 + id.size());
+      if (in_one_order(former) != in_one_order(wall.law()))
+        refuse("by '" + former + "'", "'" + wall.law() + "'", "");
+    }
+    if (begins_with(line, "kind " + id + " ")) {
+      const std::string former = line.substr(6 + id.size());
+      if (!is_same_kind(former, wall.kind()))
+        refuse("of kind '" + former + "'", "'" + wall.kind() + "'",
+               begins_with(former, "meshes ") ? ", to which meshes may be added at the end" : "");
+    }
+  }
+}
 
 FixPairSettingsEllipsoid::FixPairSettingsEllipsoid(LAMMPS* lmp, int narg, char** arg)
     : Fix(lmp, narg, arg) {
@@ -43,7 +91,7 @@ std::string FixPairSettingsEllipsoid::present_arguments() const {
   return pair ? pair->arguments() : std::string();
 }
 
-/// One line with the arguments, one more for each wall and each template.
+/// One line with the arguments, two more for each wall, one for each template.
 void FixPairSettingsEllipsoid::write_restart(FILE* file) {
   if (comm->me != 0)
     return;
@@ -51,7 +99,7 @@ void FixPairSettingsEllipsoid::write_restart(FILE* file) {
   for (int k = 0; k < modify->nfix; ++k) {
     const std::string id = modify->fix[k]->id;
     if (const auto* wall = dynamic_cast<HasLaw*>(modify->fix[k]))
-      state += "wall " + id + " " + wall->law() + "\n";
+      state += "wall " + id + " " + wall->law() + "\nkind " + id + " " + wall->kind() + "\n";
     if (const auto* grain = dynamic_cast<FixParticletemplateEllipsoid*>(modify->fix[k]))
       state += "template " + id + " " + grain->sphere_chain() + "\n";
   }
@@ -71,8 +119,8 @@ void FixPairSettingsEllipsoid::restart(ELLIPSOID_RESTART_PARAMETERS) {
     words >> what >> id;
     std::getline(words >> std::ws, former);
     if (what == "wall")
-      compare_wall(id, former);
-    else
+      look_for_wall(id);
+    else if (what == "template")
       compare_template(id, former);
   }
 }
@@ -89,17 +137,9 @@ void FixPairSettingsEllipsoid::compare_arguments(const std::string& former) cons
                         .c_str());
 }
 
-void FixPairSettingsEllipsoid::compare_wall(const std::string& id,
-                                            const std::string& former) const {
+void FixPairSettingsEllipsoid::look_for_wall(const std::string& id) const {
   const int index = modify->find_fix(id.c_str());
-  const auto* wall = index < 0 ? nullptr : dynamic_cast<HasLaw*>(modify->fix[index]);
-  if (wall && !former.empty() && in_one_order(former) != in_one_order(wall->law()))
-    error->all(FLERR, ("The restart file has contacts with the wall of fix wall/gran/ellipsoid '" +
-                       id + "' by '" + former + "', the script has '" + wall->law() +
-                       "'; repeat the former, or give the wall another ID: its contacts then begin "
-                       "without history")
-                          .c_str());
-  if (wall || comm->me != 0)
+  if (comm->me != 0 || (index >= 0 && dynamic_cast<HasLaw*>(modify->fix[index])))
     return;
   error->warning(FLERR,
                  ("The restart file has contacts with the wall of fix wall/gran/ellipsoid '" + id +

@@ -16,6 +16,16 @@ FixStyle(pair_settings/ellipsoid,FixPairSettingsEllipsoid)
 
 #include <string>
 
+namespace ellipsoid_host {
+
+class HasLaw;
+
+/// Where a wall is defined after read_restart: stops if the file has contacts with a wall of this
+/// ID by another law, or of another kind. Meshes may be added behind those of the file.
+void compare_with_restart(LAMMPS_NS::LAMMPS* lmp, const std::string& id, const HasLaw& wall);
+
+} // namespace ellipsoid_host
+
 namespace LAMMPS_NS {
 
 class FixPairSettingsEllipsoid : public Fix {
@@ -23,14 +33,13 @@ class FixPairSettingsEllipsoid : public Fix {
   FixPairSettingsEllipsoid(class LAMMPS* lmp, int narg, char** arg);
   int setmask() override { return 0; }
   void write_restart(FILE* file) override;
-  /// Stops if the pair style or the law of a wall differs; warns of walls that are gone and of
-  /// templates that differ.
+  /// Stops if the pair style differs; warns of walls that are gone and of templates that differ.
   void restart(ELLIPSOID_RESTART_PARAMETERS) override;
 
  private:
   std::string present_arguments() const;
   void compare_arguments(const std::string& former) const;
-  void compare_wall(const std::string& id, const std::string& former) const;
+  void look_for_wall(const std::string& id) const;
   void compare_template(const std::string& id, const std::string& former) const;
 };
 

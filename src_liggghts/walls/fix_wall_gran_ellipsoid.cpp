@@ -6,6 +6,7 @@
 #include "ellipsoid_host.h"
 #include "ellipsoid_models.h"
 #include "error.h"
+#include "fix_pair_settings_ellipsoid.h"
 #include "fix_property_atom.h"
 #include "force.h"
 #include "host_mesh.h"
@@ -50,7 +51,8 @@ FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg)
 FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg,
                                            const ellipsoid_host::WallCylinder& cylinder)
     : HostWall(lmp, narg, arg), // which leaves iarg_ where the settings of the models begin
-      law_(ellipsoid_host::wall_law(lmp, narg, arg, iarg_)), cylinder_(cylinder), meshes_(lmp) {
+      law_(ellipsoid_host::wall_law(lmp, narg, arg, iarg_)),
+      kind_(ellipsoid_host::wall_kind(narg, arg)), cylinder_(cylinder), meshes_(lmp) {
   const bool multisphere = impl->contact_match("surface", "multisphere");
   if (!multisphere && !impl->contact_match("surface", "smooth"))
     error->fix_error(FLERR, this,
@@ -129,6 +131,7 @@ template <class Bodies> void FixWallGranEllipsoid::choose_finder() {
 }
 
 void FixWallGranEllipsoid::post_create() {
+  ellipsoid_host::compare_with_restart(lmp, id, *this);
   const int values = dnum();
   setDnum(0); // the host need not make a history of its own
   FixWallGran::post_create();

@@ -43,6 +43,7 @@ class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
   void init() override;
   void setup(int vflag) override;
   const std::string& law() const override { return law_; }
+  std::string kind() const override { return kind_; }
   void post_force(int vflag) override {
     begin_records(update->ntimestep);
     begin_heat();
@@ -68,7 +69,7 @@ class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
   void post_force_mesh(int vflag) override;
 
  private:
-  std::string law_;
+  std::string law_, kind_;
   ellipsoid_host::WallCylinder cylinder_;
   ellipsoid::MulticontactRule rule_ = ellipsoid::MulticontactRule::sum;
   ellipsoid_host::WallMeshes meshes_;

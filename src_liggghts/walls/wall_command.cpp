@@ -7,6 +7,7 @@
 #include "model_names.h"
 #include "modify.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <vector>
@@ -79,6 +80,23 @@ std::string wall_law(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg, int settings)
     if (k < narg - behind_models || k >= settings)
       law += (law.empty() ? "" : " ") + std::string(arg[k]);
   return law;
+}
+
+std::string wall_kind(int narg, char** arg) {
+  const std::vector<std::string> words(arg + first_argument, arg + narg);
+  const auto word = std::find(words.begin(), words.end(), "primitive");
+  if (words.end() - word > 3) // primitive type T SHAPE
+    return *(word + 3);
+  const auto count = std::find(words.begin(), words.end(), "n_meshes"),
+             meshes = std::find(words.begin(), words.end(), "meshes");
+  if (words.end() - count < 2 || meshes == words.end())
+    return {};
+  const auto first = meshes + 1;
+  const auto number = std::min<std::ptrdiff_t>(std::stoi(*(count + 1)), words.end() - first);
+  std::string kind = "meshes";
+  for (auto mesh = first; mesh != first + number; ++mesh)
+    kind += " " + *mesh;
+  return kind;
 }
 
 } // namespace ellipsoid_host

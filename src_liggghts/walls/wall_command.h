@@ -27,4 +27,7 @@ WallCylinder check_wall_command(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 /// @param[in] settings index of the first argument behind those that the host has read
 std::string wall_law(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg, int settings);
 
+/// What the wall is: 'zplane', 'xcylinder', or 'meshes ID ...'.
+std::string wall_kind(int narg, char** arg);
+
 } // namespace ellipsoid_host

@@ -119,6 +119,43 @@ class RestartPairStyle(unittest.TestCase):
         for place in ("zplane -0.0001", "zplane 0.0 shear x 0.1", "zplane 0.0 store_force yes"):
             run(text.replace("zplane 0.0", place) + "run 1\n", name="in.wall")
 
+    def test_a_wall_of_another_kind(self):
+        """Of the same ID: its contacts are others. Meshes may be added behind those of the file."""
+        self.whole("smooth", f"{LAW} surface smooth", LAW)
+        text = script("smooth", None, "half.restart")
+        mesh = "fix {0} all mesh/surface file floor.stl type 1 move 0 0 {1}\n"
+        corners = [(-0.05, -0.05), (0.05, -0.05), (0.05, 0.05), (-0.05, 0.05)]
+        Path("floor.stl").write_text("solid a\n" + "".join(
+            "facet normal 0 0 1\nouter loop\n" + "".join("vertex {} {} 0\n".format(*corners[k]) for k in corner)
+            + "endloop\nendfacet\n" for corner in ((0, 1, 2), (0, 2, 3))) + "endsolid a\n")
+
+        def on(*meshes):
+            places = {"low": 0.0, "lower": -0.01, "lowest": -0.02}
+            return "".join(mesh.format(m, places[m]) for m in meshes) + (
+                f"fix floor all wall/gran/ellipsoid {LAW} surface smooth mesh n_meshes {len(meshes)} meshes "
+                f"{' '.join(meshes)}\n")
+
+        def other(former, floor):
+            outcome = run(re.sub("fix floor.*\n", floor, text) + "run 1\n", check=False, name="in.wall")
+            errors = [line for line in outcome.text.splitlines() if line.startswith("ERROR")]
+            if not errors:
+                self.assertEqual(outcome.code, 0)
+                return
+            self.assertIn(f"'floor' of kind '{former}', the script has '", errors[0])
+            self.assertIn("or give the wall another ID", errors[0])
+            return errors[0]
+
+        plane = "fix floor all wall/gran/ellipsoid {} surface smooth primitive type 1 {}\n"
+        for kind in ("xplane -0.02", "zcylinder 0.02 0 0"):
+            self.assertIsNotNone(other("zplane", plane.format(LAW, kind)))
+        self.assertIsNotNone(other("zplane", on("low")))
+        start = script("smooth", f"{LAW} surface smooth")
+        run(re.sub("fix floor.*\n", on("low", "lower"), start) + "run 300\nwrite_restart half.restart\n", name="in.mesh")
+        for meshes in (("lower", "low"), ("lowest", "low", "lower"), ("low",), ("low", "lowest")):
+            self.assertIsNotNone(other("meshes low lower", on(*meshes)), meshes)
+        self.assertIsNone(other("", on("low", "lower")))
+        self.assertIsNone(other("", on("low", "lower", "lowest")))
+
     def test_other_numbers_of_subspheres(self):
         """They belong to the particles: those of the file keep theirs, a template of other N is named."""
         pair = f"{LAW} surface multisphere"
