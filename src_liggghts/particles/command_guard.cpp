@@ -121,6 +121,25 @@ void check_region_of_insertion(LAMMPS* lmp, const Words& words) {
            "each run");
 }
 
+/// What can be asked of a fix ave/euler are the cells of the first rank; points of its base volume
+/// are drawn in an upright box.
+void check_cells(LAMMPS* lmp, const Words& words) {
+  if (words[2] != "ave/euler")
+    return;
+  const auto has = [&words](const std::string& word, const std::string& value) {
+    const auto at = std::find(words.begin(), words.end(), word);
+    return words.end() - at > 1 && (value.empty() || *(at + 1) == value);
+  };
+  const std::string title = "fix ave/euler (id " + words[0] + ")";
+  if (lmp->comm->nprocs > 1 && has("parallel", "yes"))
+    refuse(
+        lmp, title + " with 'parallel yes' on several ranks",
+        "tells the cells of the first rank only; use 'parallel no', or one rank in a tilted box");
+  if (lmp->domain->triclinic && has("basevolume_region", ""))
+    refuse(lmp, title + " with 'basevolume_region' in a tilted box",
+           "takes its points from an upright one; leave 'basevolume_region' out");
+}
+
 /// The style of a mesh lists its modules with a '/' between two: each is looked at.
 void check_mesh_modules(LAMMPS* lmp, const Words& words) {
   const std::string mesh = "mesh/surface/";
@@ -136,6 +155,7 @@ void check_fix(LAMMPS* lmp, const Words& words) {
     return;
   warn_of_radius(lmp, words);
   check_region_of_insertion(lmp, words);
+  check_cells(lmp, words);
   if (words[2] == "move/mesh")
     if (const std::string complaint = wrong_mesh_motion(words); !complaint.empty())
       lmp->error->all(FLERR, ("fix move/mesh (id " + words[0] + "): " + complaint).c_str());

@@ -47,6 +47,8 @@ void FixCheckParticlesEllipsoid::init() { ellipsoid_host::check_particles(lmp, c
 
 void FixCheckParticlesEllipsoid::setup(int) {
   ellipsoid_host::check_particles(lmp, caller); // also those that were inserted at set-up
+  warned_of_none_ = warned_of_two_ = false;
+  counted_ = atom->natoms;
   if (update->nsteps > 0)
     check_integrators();
 }
@@ -54,7 +56,13 @@ void FixCheckParticlesEllipsoid::setup(int) {
 /// Before the host seeks the sub-domain of a particle whose position is not finite.
 void FixCheckParticlesEllipsoid::pre_exchange() { ellipsoid_host::check_finite(lmp, caller); }
 
-void FixCheckParticlesEllipsoid::pre_neighbor() { ellipsoid_host::check_particles(lmp, caller); }
+/// New particles may belong to other groups than those before.
+void FixCheckParticlesEllipsoid::pre_neighbor() {
+  ellipsoid_host::check_particles(lmp, caller);
+  if (atom->natoms > counted_)
+    check_integrators();
+  counted_ = atom->natoms;
+}
 
 void FixCheckParticlesEllipsoid::end_of_step() {
   const bigint step = update->ntimestep;
@@ -62,8 +70,9 @@ void FixCheckParticlesEllipsoid::end_of_step() {
     ellipsoid_host::check_finite(lmp, caller);
 }
 
-/// Warns of particles that no fix moves or freezes, and of those that two fixes move.
-void FixCheckParticlesEllipsoid::check_integrators() const {
+/// Warns of particles that no fix moves or freezes, and of those that two fixes move; once in a
+/// run.
+void FixCheckParticlesEllipsoid::check_integrators() {
   std::string names;
   std::vector<int> groups;
   int frozen = 0;
@@ -85,14 +94,17 @@ void FixCheckParticlesEllipsoid::check_integrators() const {
     mine[1] += count > 1;
   }
   MPI_Allreduce(mine, all, 2, MPI_INT, MPI_SUM, world);
-  if (comm->me != 0)
-    return;
-  if (all[0] > 0 || groups.empty())
-    error->warning(FLERR, (std::to_string(all[0]) + " ellipsoids are moved by no fix; add 'fix ID "
-                                                    "GROUP nve/ellipsoid', or 'freeze' them")
-                              .c_str());
-  if (all[1] > 0)
-    error->warning(FLERR, (std::to_string(all[1]) + " ellipsoids are moved by two fixes of " +
-                           names + ", twice as far in each step; give each its own group")
-                              .c_str());
+  const bool nothing_moves = groups.empty() && atom->natoms == 0;
+  const auto warn = [this](bool holds, bool& has_warned, const std::string& text) {
+    if (holds && !has_warned && comm->me == 0)
+      error->warning(FLERR, text.c_str());
+    has_warned = has_warned || holds;
+  };
+  const std::string whom = nothing_moves ? "new" : std::to_string(all[0]);
+  warn(all[0] > 0 || nothing_moves, warned_of_none_,
+       whom +
+           " ellipsoids are moved by no fix; add 'fix ID GROUP nve/ellipsoid', or 'freeze' them");
+  warn(all[1] > 0, warned_of_two_,
+       std::to_string(all[1]) + " ellipsoids are moved by two fixes of " + names +
+           ", twice as far in each step; give each its own group");
 }

@@ -30,7 +30,10 @@ class FixCheckParticlesEllipsoid : public Fix {
   static void make_sure(class LAMMPS* lmp);
 
  private:
-  void check_integrators() const;
+  bool warned_of_none_ = false, warned_of_two_ = false; // in this run
+  bigint counted_ = 0; // particles at the last check of integrators
+
+  void check_integrators();
 };
 
 } // namespace LAMMPS_NS

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from _engine import LAW, Particle, Setup, quaternion_of, run, thermo
+from _engine import LAW, Particle, Setup, dump, quaternion_of, read_dump, run, thermo
 from _spinning import COLUMNS, after, bodies, read_columns, vectors
 
 STEP, STEPS = 1e-6, 20
@@ -98,6 +98,70 @@ class OfEach(unittest.TestCase):
         self.assertEqual(len(set(c["c_c1"])), 3)
         row = thermo("log.in.near", 5)[-1]
         np.testing.assert_array_equal(row[1:], [3, 3, 3, 3])  # all, marked; both once more
+
+
+class Cells(unittest.TestCase):
+    """fix ave/euler in cells of upright and tilted periodic boxes, against sums over the bodies of each cell."""
+
+    LENGTH, SIDE = 0.0125, 5
+
+    def crowd(self):
+        random = np.random.default_rng(3)
+        found = []
+        for cell in np.ndindex(*[self.SIDE] * 3):
+            place = (np.array(cell) + 0.5 + random.uniform(-0.45, 0.45, 3)) * self.LENGTH / self.SIDE
+            if cell == (2, 1, 3):
+                place[0] = 0.5 * self.LENGTH  # between two ranks
+            found.append(Particle(tuple(place), tuple(random.uniform(0.3e-3, 0.6e-3, 3)), quaternion_of(random.normal(size=3), 1.0),
+                                  tuple(random.uniform(-1.0, 1.0, 3))))
+        return found
+
+    def test_each_body_counts_once(self):
+        for tilt, ranks in (((0, 0, 0), 1), ((0, 0, 0), 2), ((4e-3, 0, 0), 1), ((2e-3, -3e-3, 1e-3), 1)):
+            self.check(tilt, ranks)
+
+    def check(self, tilt, ranks):
+        setup = Setup(box=(0.0, self.LENGTH) * 3, boundary="p p p", skin=2e-4)
+        script, upright = setup.with_particles(self.crowd()), not any(tilt)
+        if not upright:
+            text = Path("particles.data").read_text()
+            Path("particles.data").write_text(text.replace("zlo zhi\n", "zlo zhi\n{} {} {} xy xz yz\n".format(*tilt)))
+        columns = [1, 2, 3, 4, 5, 6, 7]
+        counted, most = 0, 64
+        wanted = [f"f_e[{i}][{k}]" for i in range(1, most + 1) for k in columns]
+        run(script + "fix motion all nve/ellipsoid\n"
+            f"fix e all ave/euler nevery 1 cell_size_relative 2.2 parallel {'no' if upright else 'yes'}\n"
+            f"thermo_style custom step {' '.join(wanted)}\nthermo_modify norm no format float %.14g\n"
+            + dump("cells.dump") + "run 0\n", ranks, name="in.cells")
+        values = thermo("log.in.cells", 1 + len(wanted))[-1, 1:].reshape(most, len(columns))
+        cells = values[np.any(values[:, :3] != 0.0, axis=1)]
+        count = round(len(cells) ** (1.0 / 3.0))
+        self.assertEqual(len(cells), count ** 3)
+        self.assertGreater(count, 1)
+        c = {k: v[-1] for k, v in read_dump("cells.dump")[1].items()}
+        edges = self.LENGTH * np.eye(3) + [[0, 0, 0], [tilt[0], 0, 0], [tilt[1], tilt[2], 0]]
+        share = vectors(c, "x", "y", "z") @ np.linalg.inv(edges) % 1.0
+        place = np.floor(share * count).astype(int)
+        volume = 4.0 / 3.0 * math.pi * c["shapex"] * c["shapey"] * c["shapez"]
+        for row in cells:
+            index = np.floor(row[:3] @ np.linalg.inv(edges) * count).astype(int)
+            inside = (place == index).all(1)
+            counted += inside.sum()
+            mean = c["mass"][inside] @ vectors(c, "vx", "vy", "vz")[inside] / max(c["mass"][inside].sum(), 1e-300)
+            np.testing.assert_allclose(row[3:], [volume[inside].sum() * count ** 3 / self.LENGTH ** 3, *mean], rtol=1e-9)
+        self.assertEqual(counted, self.SIDE ** 3)
+
+    def test_cells_of_one_rank_are_not_all(self):
+        script = Setup(boundary="p p p").with_particles(self.crowd()) + "fix e all ave/euler nevery 1 cell_size_relative 3 "
+        outcome = run(script + "parallel yes\n", 2, check=False)
+        self.assertNotEqual(outcome.code, 0)
+        self.assertIn("tells the cells of the first rank only; use 'parallel no'", outcome.text)
+        text = Path("particles.data").read_text()
+        Path("particles.data").write_text(text.replace("zlo zhi\n", "zlo zhi\n1e-3 0 0 xy xz yz\n"))
+        outcome = run(script.replace("fix e", "region r block INF INF INF INF 0 1 units box\nfix e")
+                      + "parallel yes basevolume_region r\n", check=False)
+        self.assertNotEqual(outcome.code, 0)
+        self.assertIn("leave 'basevolume_region' out", outcome.text)
 
 
 class OfContacts(unittest.TestCase):

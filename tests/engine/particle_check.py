@@ -111,6 +111,31 @@ class Integrators(unittest.TestCase):
         self.assertEqual(found, [self.TWO])
         self.assertIn("2 ellipsoids are moved by two fixes of nve/ellipsoid (id one), nve/ellipsoid (id two)", text)
 
+    GRAINS = ("region nowhere block 0.049 0.05 0.049 0.05 0.049 0.05 units box\ngroup new region nowhere\n"
+              "fix grain all particletemplate/ellipsoid 15485863 semiaxes 2e-3 1e-3 1e-3 density 2500\n"
+              "fix mix all particledistribution/discrete 32452843 1 grain 1.0\n"
+              "region cloud block 0.02 0.04 -0.04 0.04 -0.04 0.04 units box\n"
+              "fix drop new insert/pack seed 32452867 distributiontemplate mix insert_every 5 overlapcheck yes region cloud "
+              "particles_in_region 4\n")
+
+    def test_particles_that_come_later(self):
+        """The group of the insertion is moved by two fixes, or by none; said once."""
+        for ranks, start in ((1, Setup().with_particles(bodies())), (2, Setup().without_particles())):
+            for motion, wanted in (("fix one all nve/ellipsoid\nfix two new nve/ellipsoid\n", [self.TWO]),
+                                   ("group old id 1 2 3\nfix one old nve/ellipsoid\n", [self.NONE]),
+                                   ("fix one all nve/ellipsoid\n", [])):
+                text = run(start + self.GRAINS + motion + "run 20\n", ranks).text
+                found = [warning for warning in (self.NONE, self.TWO) if warning in text]
+                self.assertEqual(found, wanted, (ranks, motion))
+                for warning in wanted:
+                    self.assertEqual(text.count(warning), 1)
+
+    def test_no_particle_and_no_fix(self):
+        text = run(Setup().without_particles() + self.GRAINS + "run 20\n").text
+        self.assertIn("WARNING: new ellipsoids are moved by no fix", text)
+        self.assertEqual(text.count(self.NONE), 1)
+        self.assertEqual(self.warnings("fix hold all freeze\nrun 1\n")[0], [])
+
     def test_one_or_frozen(self):
         for commands in (MOTION + "run 1\n", "run 0\n" + MOTION + "run 1\n",
                          "group held id 1\ngroup free id 2 3\nfix go free nve/ellipsoid\nfix hold held freeze\nrun 1\n",
