@@ -4,6 +4,7 @@
 #include "frame_clock.h"
 #include "frame_loop.h"
 #include "frame_options.h"
+#include "messages.h"
 #include "option_checks.h"
 #include "particle_values.h"
 #include "time_option.h"
@@ -11,7 +12,9 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <memory>
+#include <optional>
 
 namespace ellipsoid::post {
 namespace {
@@ -25,18 +28,26 @@ struct TrajectoryOptions {
   std::string per_particle;
 };
 
-/// Ways and rotations of every particle since it was first seen.
+/// Ways and rotations of every particle since it was first seen; no columns of rotations where the
+/// file tells those of no particle.
 void write_ways(const TrajectoryOptions& options, const ChosenFrame& chosen,
                 const Trajectories& trajectories) {
   std::vector<ParticleValues> columns{{"way_x_m", {}},        {"way_y_m", {}},
                                       {"way_z_m", {}},        {"rotation_x_rad", {}},
                                       {"rotation_y_rad", {}}, {"rotation_z_rad", {}}};
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  bool any_turn = false;
   for (const Particle& p : chosen.set.particles) {
-    const Vector3 way = trajectories.way(p.id), turn = trajectories.rotation_vector(p.id);
+    const Vector3 way = trajectories.way(p.id);
+    const std::optional<Vector3> known = trajectories.rotation_vector(p.id);
+    any_turn = any_turn || known.has_value();
+    const Vector3 turn = known.value_or(Vector3{unknown, unknown, unknown});
     const double values[] = {way.x, way.y, way.z, turn.x, turn.y, turn.z};
     for (std::size_t k = 0; k < columns.size(); ++k)
       columns[k].values.push_back(values[k]);
   }
+  if (!any_turn)
+    columns.resize(3);
   write_particle_values(options.per_particle, chosen, columns);
 }
 
@@ -80,8 +91,11 @@ Row lag_row(const FollowedRun& run, std::size_t lag) {
     row.push_back({"diffusion_m2_per_s", "MSD / 6 lag", "m2/s", diffusion});
   }
   const auto add = [&row](const std::string& key, const std::string& name, const std::string& unit,
-                          double value) {
+                          const Value& value) {
     row.push_back({key, name, unit, value});
+  };
+  const auto known = [](double value, std::size_t count) {
+    return count > 0 ? Value(value) : Value();
   };
   row.push_back({"pairs", "particles and origins", "", static_cast<std::int64_t>(m.pairs)});
   add("displacement_x_m", "mean displacement x", "m", m.displacement.x);
@@ -91,10 +105,24 @@ Row lag_row(const FollowedRun& run, std::size_t lag) {
   add("msd_x_m2", "MSD along x", "m2", m.squared_displacement.x);
   add("msd_y_m2", "MSD along y", "m2", m.squared_displacement.y);
   add("msd_z_m2", "MSD along z", "m2", m.squared_displacement.z);
-  add("rotation_squared_rad2", "mean square rotation", "rad2", m.squared_rotation);
-  add("direction_correlation", "u(0).u(t)", "", m.direction);
-  add("direction_correlation_p2", "P2(u(0).u(t))", "", m.direction_p2);
+  add("rotation_squared_rad2", "mean square rotation", "rad2",
+      known(m.squared_rotation, m.rotations));
+  add("direction_correlation", "u(0).u(t)", "", known(m.direction, m.directions));
+  add("direction_correlation_p2", "P2(u(0).u(t))", "", known(m.direction_p2, m.directions));
   return row;
+}
+
+/// Bodies that are left out of the means of rotations, of the first lag.
+void warn_of_unknown_turns(const FollowedRun& run) {
+  if (run.trajectories.sums().empty())
+    return;
+  const LagMeans& first = run.trajectories.sums().begin()->second;
+  if (first.rotations < first.pairs)
+    report_warning(fmt::format("{}: the file does not tell how {} of {} particles turn (spheres "
+                               "without a quaternion, chains of the host's spheres about their "
+                               "axis): they are left out of the mean square rotation",
+                               run.name, first.pairs - first.rotations, first.pairs),
+                   run.name + " unknown turns");
 }
 
 Row collision_row(const std::string& run, const Collision& c, bool has_overlaps) {
@@ -170,6 +198,7 @@ int run(const TrajectoryOptions& options) {
   Table table{"Trajectories", {}};
   for (const FollowedRun& followed : runs) {
     warn_of_long_steps(followed.name, followed.trajectories.long_steps());
+    warn_of_unknown_turns(followed);
     if (options.origins > 1)
       require_even_frames(followed);
     for (const auto& entry : followed.trajectories.sums())

@@ -1,10 +1,10 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "host_bodies.h"
 
+#include "body_axes.h"
 #include "particle_columns.h"
 #include "periodic_cell.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -15,45 +15,19 @@
 namespace ellipsoid::post {
 namespace {
 
-/// Unit quaternion that turns the body's x axis to `axis`.
-Quaternion turning_x_to(const Vector3& axis) {
-  if (axis.x < -1.0 + 1e-12)
-    return {0.0, 0.0, 0.0, 1.0};
-  return normalized(Quaternion{1.0 + axis.x, 0.0, -axis.z, axis.y});
-}
-
-/// Longest direction of a cloud of sphere centres (unit vector; x where all coincide).
-Vector3 long_axis(const Sphere* begin, const Sphere* end, const Vector3& centre) {
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Sphere* s = begin; s != end; ++s) {
-    const Eigen::Vector3d d(s->centre.x - centre.x, s->centre.y - centre.y, s->centre.z - centre.z);
-    spread += d * d.transpose();
-  }
-  if (!(spread.trace() > 0.0))
-    return {1.0, 0.0, 0.0};
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
-  const Eigen::Vector3d axis = solver.eigenvectors().col(2);
-  return {axis.x(), axis.y(), axis.z()};
-}
-
-/// Size and orientation of a rigid body of the host from its spheres.
-void enclose(Particle& body, const std::vector<Sphere>& spheres) {
+/// Place, size and orientation of a rigid body of the host from its spheres.
+/// @param[in] have_ids so that their order is that of other frames
+void enclose(Particle& body, const std::vector<Sphere>& spheres, bool have_ids) {
   const Sphere* begin = spheres.data() + body.first_sphere;
   const Sphere* end = begin + body.sphere_count;
   Vector3 centre;
   for (const Sphere* s = begin; s != end; ++s)
     centre += (1.0 / static_cast<double>(body.sphere_count)) * s->centre;
+  const BodyAxes axes = axes_of_body(begin, end, centre);
   body.centre = centre;
-  const Vector3 axis = long_axis(begin, end, centre);
-  double length = 0.0, width = 0.0;
-  for (const Sphere* s = begin; s != end; ++s) {
-    const Vector3 d = s->centre - centre;
-    const double along = dot(d, axis);
-    length = std::max(length, std::abs(along) + s->radius);
-    width = std::max(width, norm(d - along * axis) + s->radius);
-  }
-  body.orientation = turning_x_to(axis);
-  body.semiaxes = {length, width, width};
+  body.orientation = axes.orientation;
+  body.semiaxes = axes.semiaxes;
+  body.known_orientation = have_ids ? axes.known : KnownOrientation::none;
 }
 
 /// Whether a body's spheres come in pairs about its centre: that is then the mass centre.
@@ -107,7 +81,7 @@ class BodyMaker {
  public:
   BodyMaker(ParticleSet& set, const NamedColumns& columns, const ParticleOptions& options)
       : set_(set), frame_(columns.frame()), cell_(set.box), sizes_(columns, options),
-        common_(columns) {
+        common_(columns), have_ids_(columns.find("id") != nullptr) {
     common_.describe(set);
   }
 
@@ -127,7 +101,7 @@ class BodyMaker {
     Sphere* const first = set_.spheres.data() + body.first_sphere;
     if (cell_.is_periodic() && !common_.is_unwrapped())
       put_together(first, first + rows.size(), cell_);
-    enclose(body, set_.spheres);
+    enclose(body, set_.spheres, have_ids_);
     body.velocity = velocity; // of the middle of the centres: motion of a rigid body is linear
     if (!is_symmetric(first, first + rows.size(), body.centre))
       ++set_.asymmetric_bodies;
@@ -159,6 +133,7 @@ class BodyMaker {
   PeriodicCell cell_;
   SizeColumns sizes_;
   CommonColumns common_;
+  bool have_ids_;
   std::set<std::int64_t> ids_;
 };
 

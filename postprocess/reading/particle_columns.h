@@ -61,6 +61,7 @@ class OrientationColumns {
  public:
   explicit OrientationColumns(const NamedColumns& columns);
   Quaternion at(std::size_t row, const Vector3& semiaxes) const;
+  bool are_there() const { return w_ != nullptr; }
   /// How the order of the columns was understood where it could be another; or nothing.
   std::string remark() const;
 

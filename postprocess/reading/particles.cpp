@@ -55,8 +55,11 @@ void add_clump(ParticleSet& set, Particle& particle, const ClumpTemplate& clump)
   add_spheres(set, particle, clump.spheres, particle.semiaxes.y);
 }
 
-/// Exponents of superquadrics, whatever the program calls them: blockiness1, block2, c_block[1].
+/// Exponents of superquadrics, whatever the program calls them: blockiness1, block2, c_block[1],
+/// and the host's older names.
 bool names_blockiness(std::string name) {
+  if (name == "roundness1" || name == "roundness2")
+    return true;
   if (name.size() > 2 && name[1] == '_') // of a compute, fix or variable
     name.erase(0, 2);
   for (const std::string word : {"block", "iness"})
@@ -119,6 +122,8 @@ void add_ellipsoids(ParticleSet& set, const NamedColumns& columns, const Particl
     Particle p = common.at(row);
     p.semiaxes = sizes.at(row);
     p.orientation = orientations.at(row, p.semiaxes);
+    if (!orientations.are_there())
+      p.known_orientation = KnownOrientation::none;
     if (const int count = subspheres_at(frame, subspheres, row, options); count > 0) {
       const double code = spacing ? (*spacing)[row] : 0.0;
       try {

@@ -21,6 +21,13 @@ struct Sphere {
   double radius = 0.0;
 };
 
+/// What a file tells of how a body lies.
+enum class KnownOrientation {
+  whole, ///< every turn is seen
+  axis,  ///< of the body's x axis, not how it turns about it: chains of the host's spheres
+  none   ///< spheres without a quaternion
+};
+
 struct Particle {
   std::int64_t id = 0;
   std::int64_t type = 1;
@@ -29,7 +36,9 @@ struct Particle {
   Vector3 moments_per_mass;  ///< principal, of a clump (length^2); 0: those of its ellipsoid
   Vector3 centre, velocity, angular_velocity;
   Quaternion orientation;
-  Vector3 semiaxes; ///< a, b, c along the body's x, y, z (length); of the circumscribed ellipsoid
+  KnownOrientation known_orientation = KnownOrientation::whole;
+  /// a, b, c along the body's x, y, z (length); of unions of spheres half their lengths
+  Vector3 semiaxes;
   std::size_t first_sphere = 0, sphere_count = 0; ///< 0 spheres: a smooth ellipsoid
   bool is_host_body = false; ///< of the host's fix multisphere, or a sphere beside such bodies
   std::size_t row = 0;       ///< of the frame (of the first sphere for host multispheres)

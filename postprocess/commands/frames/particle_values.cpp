@@ -6,6 +6,7 @@
 #include "step_names.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace ellipsoid::post {
@@ -28,7 +29,8 @@ std::string csv_text(const ChosenFrame& chosen, const std::vector<ParticleValues
     row.push_back({"y_m", "y", "m", p.centre.y});
     row.push_back({"z_m", "z", "m", p.centre.z});
     for (const ParticleValues& column : columns)
-      row.push_back({column.key, column.key, "", column.values[i]});
+      row.push_back({column.key, column.key, "",
+                     std::isnan(column.values[i]) ? Value() : Value(column.values[i])});
     table.rows.push_back(std::move(row));
   }
   return as_csv(table);

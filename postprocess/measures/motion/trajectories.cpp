@@ -3,6 +3,7 @@
 
 #include "orientation.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ellipsoid::post {
@@ -47,6 +48,7 @@ void Trajectories::move(const ParticleSet& set) {
     }
     state.centre = p.centre;
     state.orientation = p.orientation;
+    state.known = std::max(state.known, p.known_orientation); // in the order of the enumeration
     state.direction = axes_by_length(p)[0];
     state.last_seen = frame_;
   }
@@ -70,9 +72,15 @@ void Trajectories::compare(const Origin& origin) {
     ++sums.pairs;
     sums.displacement += d;
     sums.squared_displacement += Vector3{d.x * d.x, d.y * d.y, d.z * d.z};
-    sums.squared_rotation += dot(turn, turn);
-    sums.direction += cosine;
-    sums.direction_p2 += 1.5 * cosine * cosine - 0.5;
+    if (now->second.known == KnownOrientation::whole) {
+      ++sums.rotations;
+      sums.squared_rotation += dot(turn, turn);
+    }
+    if (now->second.known != KnownOrientation::none) {
+      ++sums.directions;
+      sums.direction += cosine;
+      sums.direction_p2 += 1.5 * cosine * cosine - 0.5;
+    }
   }
 }
 
@@ -83,10 +91,15 @@ LagMeans Trajectories::means(std::size_t lag) const {
   const double share = 1.0 / static_cast<double>(m.pairs);
   m.displacement *= share;
   m.squared_displacement *= share;
-  m.squared_rotation *= share;
-  m.direction *= share;
-  m.direction_p2 *= share;
+  m.squared_rotation /= static_cast<double>(std::max(m.rotations, std::size_t{1}));
+  m.direction /= static_cast<double>(std::max(m.directions, std::size_t{1}));
+  m.direction_p2 /= static_cast<double>(std::max(m.directions, std::size_t{1}));
   return m;
+}
+
+std::optional<Vector3> Trajectories::rotation_vector(std::int64_t id) const {
+  const State& state = states_.at(id);
+  return state.known == KnownOrientation::whole ? std::optional(state.angle) : std::nullopt;
 }
 
 } // namespace ellipsoid::post

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace ellipsoid::post {
@@ -14,11 +15,14 @@ namespace ellipsoid::post {
 /// Means over particles (and origins) that a lag apart are both there.
 struct LagMeans {
   std::size_t pairs = 0;         ///< of a particle and an origin
+  std::size_t rotations = 0;     ///< of these, where the file tells the whole orientation
+  std::size_t directions = 0;    ///< of these, where it tells at least the body's axis
   Vector3 displacement;          ///< mean (length)
   Vector3 squared_displacement;  ///< mean of the squares of the components (length^2)
-  double squared_rotation = 0.0; ///< mean square of the angle vector (rad^2)
-  double direction = 0.0;        ///< mean of u(0) . u(t), u along the body's longest semi-axis
-  double direction_p2 = 0.0;     ///< mean of P2(u(0) . u(t))
+  double squared_rotation = 0.0; ///< mean square of the angle vector (rad^2), of the rotations
+  /// Mean of u(0) . u(t), u along the body's longest semi-axis, of the directions.
+  double direction = 0.0;
+  double direction_p2 = 0.0; ///< mean of P2(u(0) . u(t)), of the directions
 };
 
 /// Follows particles by their ids from frame to frame; needs memory for one frame and the origins.
@@ -43,15 +47,17 @@ class Trajectories {
 
   /// Way of a particle since it was first seen (length).
   Vector3 way(std::int64_t id) const { return states_.at(id).way; }
-  Vector3 rotation_vector(std::int64_t id) const { return states_.at(id).angle; }
+  /// Nothing where the file does not tell how the particle lies.
+  std::optional<Vector3> rotation_vector(std::int64_t id) const;
 
  private:
   struct State {
     Vector3 centre; ///< as in the last frame
     Quaternion orientation;
-    Vector3 way, angle;                        ///< summed up since it was first seen
-    Vector3 direction;                         ///< of the longest semi-axis
-    std::size_t first_seen = 0, last_seen = 0; ///< numbers of the frames of its way
+    KnownOrientation known = KnownOrientation::whole; ///< the least of all frames of its way
+    Vector3 way, angle;                               ///< summed up since it was first seen
+    Vector3 direction;                                ///< of the longest semi-axis
+    std::size_t first_seen = 0, last_seen = 0;        ///< numbers of the frames of its way
   };
   struct Origin {
     std::size_t frame = 0;

@@ -258,7 +258,8 @@ void check(const std::vector<double>& values) {
   const auto range = std::minmax_element(values.begin(), values.end());
   if (!(*range.first >= 0.0))
     throw InputError(fmt::format("expected values >= 0 to be mixed, found {}", *range.first));
-  if (!(*range.first < *range.second))
+  constexpr double rounding = 1e-9; // of sizes and ratios that were computed
+  if (!(*range.first < (1.0 - rounding) * *range.second))
     throw InputError("all particles are alike in what is to be mixed");
 }
 
