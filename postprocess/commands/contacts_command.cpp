@@ -1,6 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "chosen_runs.h"
 #include "contact_forces.h"
+#include "contact_list_options.h"
 #include "contacts.h"
 #include "digits_warning.h"
 #include "frame_loop.h"
@@ -117,26 +118,44 @@ Row local_row(const ContactsOptions& options, const std::string& run, const Fram
   return row;
 }
 
+/// Reads a run to its end; whether it has a list. The last whole one is kept.
+/// @param[in,out] code of the command
+bool read_last_list(const Run& run, Frame& last, int& code) {
+  FrameStream stream(run.files);
+  bool has_last = false;
+  Frame frame;
+  try {
+    while (stream.next(frame)) {
+      if (has_last)
+        warn_of_order(frame, last.timestep);
+      std::swap(frame, last);
+      has_last = true;
+    }
+  } catch (const InputError& error) {
+    report_error(error.what());
+    code = exit_bad_data;
+  }
+  return has_last;
+}
+
 int run_local(const ContactsOptions& options) {
   if (options.normal_columns.empty() && options.force_columns.empty())
     throw InputError("--local needs --normal-columns, --force-columns or both");
   Table table{"Contacts", {}};
   int code = exit_good;
   for (const Run& run : runs_of(options.frames)) {
-    FrameStream stream(run.files);
-    Frame frame, last;
-    bool has_last = false;
+    Frame last;
+    if (!read_last_list(run, last, code))
+      continue;
+    if (last.rows == 0)
+      report_warning(fmt::format("{}: the last list, of time step {}, holds no contacts", run.name,
+                                 last.timestep));
     try {
-      while (stream.next(frame)) {
-        std::swap(frame, last);
-        has_last = true;
-      }
+      table.rows.push_back(local_row(options, run.name, last));
     } catch (const InputError& error) {
       report_error(error.what());
       code = exit_bad_data;
     }
-    if (has_last)
-      table.rows.push_back(local_row(options, run.name, last));
   }
   write_table(options.frames, table);
   return code;

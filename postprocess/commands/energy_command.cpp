@@ -30,7 +30,7 @@ Row energy_row(const EnergyCommandOptions& options, const ChosenFrame& chosen) {
   if (options.inertia.size() == 3)
     settings.inertia = Vector3{options.inertia[0], options.inertia[1], options.inertia[2]};
   const Energy e = energy(chosen.set, settings);
-  if (!gravity.vector)
+  if (!gravity.vector && !chosen.set.particles.empty())
     report_warning(chosen.run +
                        ": no potential energy: where gravity points is neither in a log beside "
                        "the dump nor given by --gravity gx gy gz",

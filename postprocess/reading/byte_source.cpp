@@ -125,6 +125,7 @@ bool LineReader::deliver(std::size_t length, std::size_t skipped, std::string_vi
   ++line_number_;
   line = without_return({buffer_.data() + begin_, length});
   begin_ += length + skipped;
+  line_has_end_ = skipped > 0;
   if (!line.empty() && std::memchr(line.data(), '\0', line.size()))
     throw nul_byte({name_, line_number_, 0});
   return true;

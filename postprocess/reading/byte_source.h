@@ -61,6 +61,9 @@ class LineReader {
   std::size_t append_lines(std::size_t most, std::string_view stop, std::size_t enough,
                            std::string& text);
 
+  /// Whether the line that `next` gave last has an end: the last one of a file that is cut off,
+  /// perhaps within a number, has none.
+  bool line_has_end() const { return line_has_end_; }
   /// Number of the line that `next` gave last, from 1.
   std::size_t line_number() const { return line_number_; }
   const std::string& name() const { return name_; }
@@ -76,7 +79,7 @@ class LineReader {
   std::string name_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0, line_number_ = 0;
-  bool at_end_ = false;
+  bool at_end_ = false, line_has_end_ = true;
   std::optional<BrokenLine> broken_; ///< what reading the source ended with
 };
 

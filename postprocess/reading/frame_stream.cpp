@@ -103,13 +103,24 @@ std::string common_name(const Run& run) {
 
 namespace {
 
+/// What two names of one file have in common.
+std::string identity_of(const std::string& path) {
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0 ? fmt::format("{} {}", status.st_dev, status.st_ino)
+                                          : path;
+}
+
 /// A run that is named twice would count twice.
 void require_once(const std::vector<Run>& runs) {
-  std::set<std::string> known;
+  std::map<std::string, std::string> known; // names by what they mean
   for (const Run& run : runs)
-    for (const std::string& file : run.files)
-      if (!known.insert(file).second)
-        throw InputError(file + " is named twice: name each file once");
+    for (const std::string& file : run.files) {
+      const auto [entry, is_new] = known.emplace(identity_of(file), file);
+      if (!is_new)
+        throw InputError(entry->second == file ? file + " is named twice: name each file once"
+                                               : fmt::format("{} and {} are one file: name it once",
+                                                             entry->second, file));
+    }
 }
 
 } // namespace

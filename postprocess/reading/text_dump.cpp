@@ -241,6 +241,9 @@ void TextDumpReader::load_rows(Frame& frame) {
       throw more ? unexpected(here(), expected, quoted(std::string(line))) : cut_off(expected);
     }
     reader.read(line);
+    if (!lines_.line_has_end() && without_blanks(line).size() == line.size())
+      throw unexpected(here(), "the end of the line behind the last row",
+                       "the end of the file (cut off; if it is whole, add a line end)");
   }
   reader.drop_missing_rows();
 }

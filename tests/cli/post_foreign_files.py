@@ -150,7 +150,7 @@ def check_meanings_of_columns():
     one[0] = one[0][:-2] + (2, 2)
     post("orientation", dump("round.dump", ELLIPSOIDS + " blockiness1 blockiness2", one))
     one[0] = one[0][:-2] + (2, 4)
-    for names in ("block1 block2", "blockx blocky", "c_block[1] c_block[2]", "f_blockiness[1] f_blockiness[2]"):
+    for names in ("block1 block2", "blockx blocky", "roundness1 roundness2", "c_block[1] c_block[2]", "f_blockiness[1] f_blockiness[2]"):
         refused("orientation", dump("block.dump", ELLIPSOIDS + " " + names, one), words=("block.dump:10", names.split()[1] + " 2, an ellipsoid"))
     post("orientation", dump("number.dump", ELLIPSOIDS + " c_block_number blocks", one))
     two = [(k, 1, 0, y, 0, 1, 0, 0, 0, 0.0027, 0.00115, 0.00115, k) for k, y in ((1, 0), (2, 0.0025))]
@@ -252,6 +252,16 @@ def check_files():
     feeder.join()
     row.pop("run")
     assert row == reference[0]
+    # cut within the last number, or before the end of its line
+    columns = "id mass vx vy vz omegax omegay omegaz radius x y z"
+    whole = [(k, 1e-5, 0, 0, 0, 0, 0, 0, 1e-3, 0.0, 0.0, f"{k}.2575") for k in (1, 2)]
+    with open(dump("cut.dump", columns, whole), encoding="ascii") as file:
+        uncut = file.read()
+    for length in range(len(uncut) - len("2.2575\n") + 1, len(uncut)):
+        refused("energy", write("cut.dump", uncut[:length]), words=("cut.dump:11", "cut off"))
+        with open("cut.dump.gz", "wb") as file:
+            file.write(gzip.compress(uncut[:length].encode()))
+        refused("energy", "cut.dump.gz", words=("cut.dump.gz:11", "cut off"))
     # twice the same id; the same frame twice; an empty last file
     twice = [dict(row) for row in pile]
     twice[3]["id"] = twice[8]["id"]
@@ -322,6 +332,44 @@ def check_contact_lists():
     out, error = post("coordination", name, "--frame", "all", "--contacts", "some.local", *options,
                       "--csv", "-", expect=1)
     assert len(out.splitlines()) == 11 and "no contacts of time step 100" in error, (out, error)
+    check_odd_lists()
+
+
+def forces_text(step, rows):
+    return "\n".join(["ITEM: TIMESTEP", str(step), "ITEM: NUMBER OF ENTRIES", str(len(rows)), "ITEM: BOX BOUNDS ff ff ff",
+                      "0 1", "0 1", "0 1", "ITEM: ENTRIES i j nx ny nz fx fy fz", *rows]) + "\n"
+
+
+def check_odd_lists():
+    """Lists that come again, hold nothing or normals of no length: said or refused, never counted."""
+    balls = [(k + 1, 1e-3 * k, 0.0, 0.0, 5e-4, 1e-6) for k in range(4)]
+    name = dump("row.dump", "id x y z radius mass", balls)
+    whole = ["1 2 2 0 0 -5 0 0", "2 3 1 0 0 -7 0 0"]
+    local = ("contacts", "odd.local", "--local", "--normal-columns", "nx", "ny", "nz", "--force-columns", "fx", "fy", "fz")
+    fields = ("fields", name, "--at", 0, 0, 0, "--contacts", "odd.local", "--id-columns", "i", "j", "--normal-columns", "nx", "ny", "nz",
+              "--force-columns", "fx", "fy", "fz")
+    write("odd.local", forces_text(0, whole))
+    for command in local, fields:
+        assert post(*command)[1] == "", command
+    write("odd.local", forces_text(0, whole + ["3 4 0 0 0 -1 0 0"]))
+    for command in local, fields:
+        refused(*command, words=("odd.local:12", "of length 0"))
+    write("odd.local", forces_text(10, whole) + forces_text(0, whole) + forces_text(0, whole))
+    assert "frame 2 is of time step 0, after one of 10: lists are repeated" in post(*local)[1]
+    write("odd.local", forces_text(0, whole) + forces_text(0, whole) + forces_text(10, whole))
+    with open(name, encoding="ascii") as file:
+        first = file.read()
+    write("frames.dump", first + first.replace("TIMESTEP\n0", "TIMESTEP\n10"))
+    assert "lists are repeated" in post(fields[0], "frames.dump", "--frame", "all", *fields[2:])[1]
+    write("odd.local", forces_text(0, whole) + forces_text(10, []))
+    out, error = post(*local)
+    assert "the last list, of time step 10, holds no contacts" in error and "nan" not in out, (out, error)
+    write("odd.local", forces_text(0, whole)[:-2])  # "-7 0 0" has become "-7 0 "
+    for command in local, fields:
+        refused(*command, words=("odd.local:11",))
+    write("odd.local", forces_text(0, whole)[:-1])  # the last number may go on
+    for command in local, fields:
+        refused(*command, words=("odd.local:11", "cut off"))
 
 
 def check_order_of_frames():
@@ -348,6 +396,11 @@ def check_gravity():
     up = [particle(1, 0.0, 0.01), particle(2, 0.0, 0.05)]
     (row,) = json_of("energy", write("plane.dump", frame_text(1, up)))
     assert abs(row["potential_J"] - 2e-5 * 9.81 * 0.06) < 1e-15 and row["gravity_from"] == "assumed"
+    for column in "vz", "omegax", "omegay":  # in one plane, but it moves or turns out of it: a single grain that falls along z
+        alone = particle(1, 0.0, 0.01)
+        alone[column] = -0.5
+        (row,) = json_of("energy", write("falls.dump", frame_text(1, [alone])))
+        assert row["potential_J"] is None and row["gravity_y_m_per_s2"] is None, (column, row)
     up[1]["z"] = 0.03
     name = write("space.dump", frame_text(1, up))
     (row,) = json_of("energy", name)

@@ -25,14 +25,15 @@ def values(text):
 
 
 def check_line_ends():
-    """Windows line ends, blanks and tabs, no last line end: the same values."""
+    """Windows line ends, blanks and tabs: the same values. No last line end: the last number may be cut, unless a blank is behind it."""
     text = frame_text(100, [particle(k + 1, 3e-3 * k, 0.01, speed=0.1) for k in range(5)])
     plain = values(post("energy", write("plain.dump", text), "--csv", "-")[0])
-    for name, other in (("ends", text.replace("\n", "\r\n")), ("blanks", text.replace("\n", "  \n")), ("none", text[:-1]),
-                        ("tabs", "\n".join(line if line.startswith("ITEM") else line.replace(" ", "\t") for line in text.splitlines()))):
+    for name, other in (("ends", text.replace("\n", "\r\n")), ("blanks", text.replace("\n", "  \n")), ("none", text[:-1] + " "),
+                        ("tabs", "\n".join(line if line.startswith("ITEM") else line.replace(" ", "\t") for line in text.splitlines()) + "\n")):
         with open(name + ".dump", "w", newline="", encoding="ascii") as file:
             file.write(other)
         assert values(post("energy", name + ".dump", "--csv", "-")[0]) == plain, name
+    refused("energy", write("open.dump", text[:-1]), words=("open.dump:14", "add a line end"))
 
 
 def check_restarts():
@@ -302,6 +303,8 @@ def check_results_over_inputs():
         assert "both name" in post("energy", name, "--csv", where, "--json", where, expect=1)[1]
     for command in (("energy", name, name), ("pile", "kept.dump", "kept.d*p"), ("energy", "--one-run", name, name)):
         refused(*command, words=("kept.dump is named twice",))
+    for other in "./kept.dump", "link.dump", os.path.abspath("kept.dump"):
+        refused("energy", name, other, words=("kept.dump and " + other + " are one file",))
 
 
 def main():

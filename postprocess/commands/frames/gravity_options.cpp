@@ -19,10 +19,16 @@ std::optional<Vector3> logged_gravity(const ChosenFrame& chosen, const char* opt
   return log ? log->gravity : std::nullopt;
 }
 
-bool lies_in_one_plane(const ParticleSet& set) {
-  return std::all_of(set.particles.begin(), set.particles.end(), [&](const Particle& p) {
-    return p.centre.z == set.particles.front().centre.z;
-  });
+/// Whether all particles lie in one plane z and stay there: a single one that falls along z, or a
+/// layer of them, does not.
+bool is_planar(const ParticleSet& set) {
+  const auto stays = [&set](const Particle& p) {
+    const bool is_moving = set.has_velocities.is_known() && p.velocity.z != 0.0;
+    const bool is_tilting =
+        set.has_spins.is_known() && (p.angular_velocity.x != 0.0 || p.angular_velocity.y != 0.0);
+    return p.centre.z == set.particles.front().centre.z && !is_moving && !is_tilting;
+  };
+  return !set.particles.empty() && std::all_of(set.particles.begin(), set.particles.end(), stays);
 }
 
 } // namespace
@@ -43,7 +49,7 @@ Gravity gravity_of(const std::vector<double>& option, const ChosenFrame& chosen)
   const bool is_whole = option.size() == 3;
   const std::optional<Vector3> logged =
       is_whole ? std::nullopt : logged_gravity(chosen, "--gravity gx gy gz");
-  const bool is_plane = lies_in_one_plane(chosen.set);
+  const bool is_plane = is_planar(chosen.set);
   gravity.source = !option.empty() ? "option" : logged ? "log" : "assumed";
   if (is_whole)
     gravity.vector = Vector3{option[0], option[1], option[2]};

@@ -2,6 +2,7 @@
 #include "contact_list_options.h"
 
 #include "frame_stream.h"
+#include "messages.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -33,6 +34,14 @@ void add_force_list_options(CLI::App& command, ContactListOptions& options,
       "of the contact list: the normal; then only the normal part of the force is " + shown, 3);
 }
 
+void warn_of_order(const Frame& list, std::int64_t before) {
+  if (list.timestep <= before)
+    report_warning(fmt::format("{}: frame {} is of time step {}, after one of {}: lists are "
+                               "repeated or not in the order of time",
+                               list.location.file, list.location.frame, list.timestep, before),
+                   "order of lists");
+}
+
 ContactLists::ContactLists(const ContactListOptions& options) : options_(options) {}
 ContactLists::~ContactLists() = default;
 
@@ -46,9 +55,13 @@ const Frame& ContactLists::at(std::int64_t timestep) {
   if (!stream_ || (has_list_ && list_.timestep > timestep))
     begin(); // another run, or frames that are not in the order of time
   while (!(has_list_ && list_.timestep >= timestep)) {
+    const bool has_before = has_list_;
+    const std::int64_t before = list_.timestep;
     has_list_ = stream_->next(list_);
     if (!has_list_)
       break;
+    if (has_before)
+      warn_of_order(list_, before);
   }
   if (has_list_ && list_.timestep == timestep)
     return list_;

@@ -34,6 +34,9 @@ CLI::Option* add_contact_list_options(CLI::App& command, ContactListOptions& opt
 void add_force_list_options(CLI::App& command, ContactListOptions& options,
                             const std::string& purpose, const std::string& shown);
 
+/// Says once that a list comes again, or not in the order of time.
+void warn_of_order(const Frame& list, std::int64_t before);
+
 /// The contact lists of a series, read forwards once: to be asked in the order of time.
 class ContactLists {
  public:

@@ -2,10 +2,12 @@
 #include "contact_forces.h"
 
 #include "listed_particles.h"
+#include "particle_columns.h"
 #include "periodic_cell.h"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <map>
 #include <utility>
 
@@ -20,10 +22,12 @@ std::vector<Vector3> vectors_of(const Frame& frame, const std::vector<std::strin
   for (std::size_t row = 0; row < frame.rows; ++row) {
     const Vector3 v{x[row], y[row], z[row]};
     const double length = norm(v);
-    if (!to_unit)
-      vectors.push_back(v);
-    else if (length > 0.0)
-      vectors.push_back((1.0 / length) * v);
+    if (to_unit && !(length > 0.0))
+      throw bad_value(frame, row,
+                      fmt::format("a direction in the columns \"{}\" \"{}\" \"{}\"", columns.at(0),
+                                  columns.at(1), columns.at(2)),
+                      "one of length 0");
+    vectors.push_back(to_unit ? (1.0 / length) * v : v);
   }
   return vectors;
 }
@@ -64,9 +68,9 @@ std::vector<double> row_forces(const Frame& list, const ContactColumns& columns)
   if (columns.normals.empty())
     return result;
   const auto forces = vectors_of(list, columns.forces, false);
-  const auto normals = vectors_of(list, columns.normals, false);
+  const auto normals = vectors_of(list, columns.normals, true);
   for (std::size_t row = 0; row < result.size(); ++row)
-    result[row] = std::abs(dot(forces[row], normals[row])) / std::max(norm(normals[row]), 1e-300);
+    result[row] = std::abs(dot(forces[row], normals[row]));
   return result;
 }
 

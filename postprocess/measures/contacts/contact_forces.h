@@ -17,7 +17,8 @@ struct ForceStatistics {
   std::vector<double> distribution; ///< density of f / mean in bins 0.25 wide from 0
 };
 
-/// Vectors from three named columns; with `to_unit` scaled to length 1 (zero vectors left out).
+/// Vectors from three named columns; with `to_unit` scaled to length 1 (then zero vectors are an
+/// InputError).
 std::vector<Vector3> vectors_of(const Frame& frame, const std::vector<std::string>& columns,
                                 bool to_unit);
 

@@ -2,6 +2,7 @@
 #include "force_contacts.h"
 
 #include "listed_particles.h"
+#include "particle_columns.h"
 
 namespace ellipsoid::post {
 std::vector<ForceContact> force_contacts(const Frame& list, const ForceColumns& columns,
@@ -19,7 +20,9 @@ std::vector<ForceContact> force_contacts(const Frame& list, const ForceColumns& 
     contact.point = points.at(row);
     contact.force = forces.at(row).value_or(Vector3{});
     contact.normal = normals.at(row);
-    if (contact.normal && norm(*contact.normal) > 0.0)
+    if (contact.normal && !(norm(*contact.normal) > 0.0))
+      throw bad_value(list, row, "a normal", "one of length 0");
+    if (contact.normal)
       contact.normal = normalized(*contact.normal);
     contacts.push_back(contact);
   }
