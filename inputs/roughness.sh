@@ -17,7 +17,7 @@ for python in python3 /usr/bin/python3; do # the first one that has numpy
 done
 if [[ ${2-} == --piles ]]; then
   bash "$inputs/campaign.sh" --out "$folder" --list "$inputs/roughness/piles.txt" --jobs 1 -- \
-    -var particles 100 -var y0 0.05 -var settle 3 -var dt 5e-6 -var vtk no
+    -var particles 100 -var y0 0.05 -var settle 2 -var E 5e6 -var dt 2.5e-5 -var vtk no
 elif [[ $folder != --kept && ${2-} != --means ]]; then
   bash "$inputs/campaign.sh" --out "$folder" --input "$inputs/shear.in" --list "$inputs/roughness/runs.txt" --jobs 1 -- \
     -var aspect 2.35 -var particles 150 -var inertial 0.05 -var strain 5 -var every 200

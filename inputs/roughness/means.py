@@ -14,6 +14,7 @@ INPUTS = Path(__file__).resolve().parent.parent
 KEPT = INPUTS / "results" / "roughness"
 COLUMNS = "strain friction solid_fraction stress_yy_Pa pressure_Pa inertial_number contacts_per_particle".split()
 MEASURES = ("friction", "solid_fraction", "contacts_per_particle")
+PILE_MEASURES = ("triangle_angle_deg", "repose_angle_deg", "porosity", "zpp")
 START, BLOCK = 1.5, 0.5  # strain that is left out, and that after which values are independent
 DRAWS = 20000
 
@@ -77,12 +78,21 @@ def at_friction(means, name, friction):
     return np.interp(friction, *zip(*smooth))
 
 
+def triangle_angle(dump):
+    """Angle (deg) of the triangle beside the wall that has the medians of height and distance of all grains: those of a
+    triangle are its height and base times 1 - 1/sqrt(2). Few grains that rolled away do not change it."""
+    head, rows = dump.read_text().rsplit("ITEM: ATOMS ", 1)[1].split("\n", 1)
+    columns = dict(zip(head.split(), np.loadtxt(rows.splitlines()).T))
+    return float(np.degrees(np.arctan2(np.median(columns["y"]), np.median(columns["x"]))))
+
+
 def pile_row(folder):
-    """Angle of repose (deg), porosity and contacts per particle of a pile of piling.in."""
+    """Angles of repose (deg), porosity and contacts per particle of a pile of piling.in."""
     with open(folder / "pile.csv", newline="") as stream:
         measured = list(csv.DictReader(stream))[-1]
     values = {"subspheres": "", **json.loads((folder / "run.json").read_text())["variables"]}
     return {**{name: values[name] for name in ("surface", "subspheres", "mu", "seed")},
+            "triangle_angle_deg": triangle_angle(max(folder.glob("pile.*.dump"))),
             **{name: measured[name] for name in ("repose_angle_deg", "porosity", "zpp")}}
 
 
@@ -95,31 +105,40 @@ def piles_of(folder):
 
 
 def pile_groups(rows):
-    """{(surface, subspheres, "", mu): values (runs, 3)} of angle, porosity and contacts."""
+    """{(surface, subspheres, "", mu): values (runs, 4)} of both angles, porosity and contacts."""
     groups = {}
     for row in rows:
         key = (row["surface"], int(row["subspheres"] or 0), "", float(row["mu"]))
-        groups.setdefault(key, []).append([float(row[n]) for n in ("repose_angle_deg", "porosity", "zpp")])
+        groups.setdefault(key, []).append([float(row[n]) for n in PILE_MEASURES])
     return {key: np.array(values) for key, values in sorted(groups.items()) if len(values) > 1}
 
 
+def more_friction_of_pile(groups, spread, key, measure):
+    """How much more friction a smooth ellipsoid needs for the same angle, as text: middle, lower and upper end of 95 % of
+    the draws."""
+    if key[0] == "smooth":
+        return "-"
+    angles = {k: ({"friction": v[:, measure].mean()}, {"friction": spread[k][measure]}, len(v)) for k, v in groups.items()}
+    drawn = friction_of_smooth(angles, groups[key][:, measure].mean(), spread[key][measure],
+                               np.random.default_rng(20100107)) - key[3]
+    highest = max(k[3] for k in groups if k[0] == "smooth") - key[3]
+    low, middle, high = np.sort(np.where(np.isnan(drawn), np.inf, drawn))[
+        [int(share * DRAWS) for share in (0.025, 0.5, 0.975)]]
+    above = f"more than {highest:+.2f}"
+    return (above if np.isinf(middle) else f"{middle:+.2f}") + f" ({low:+.2f} to " + (above if np.isinf(high) else f"{high:+.2f}") + ")"
+
+
 def print_piles(rows):
-    """Means with twice their standard errors; how much more friction a smooth ellipsoid needs for the same angle: lower
-    and upper end of 95 % of the draws."""
+    """Means with twice their standard errors, and by both angles how much more friction a smooth ellipsoid needs."""
     groups = pile_groups(rows)
     spread = {key: v.std(axis=0, ddof=1) / np.sqrt(len(v)) for key, v in groups.items()}
-    angles = {key: ({"friction": v[:, 0].mean()}, {"friction": spread[key][0]}, len(v)) for key, v in groups.items()}
-    print("| grains | mu | runs | angle, deg | porosity | contacts | smooth, mu + more: more |\n|---|---|---|---|---|---|---|")
+    print("| grains | mu | runs | angle of the triangle, deg | fitted angle, deg | porosity | contacts | smooth, mu + more: more, "
+          "by the triangle | by the fit |\n|---|---|---|---|---|---|---|---|---|")
     for key, v in groups.items():
-        more = "-"
-        if key[0] != "smooth":
-            drawn = friction_of_smooth(angles, v[:, 0].mean(), spread[key][0], np.random.default_rng(20100107)) - key[3]
-            highest = max(k[3] for k in groups if k[0] == "smooth") - key[3]
-            low, high = np.sort(np.where(np.isnan(drawn), np.inf, drawn))[[int(0.025 * DRAWS), int(0.975 * DRAWS)]]
-            more = f"{low:+.2f} to " + (f"more than {highest:+.2f}" if np.isinf(high) else f"{high:+.2f}")
+        more = " | ".join(more_friction_of_pile(groups, spread, key, measure) for measure in (0, 1))
         name = "smooth" if key[0] == "smooth" else f"N = {key[1]}"
         print(f"| {name} | {key[3]:g} | {len(v)} | " + " | ".join(f"{m:.{d}f} +- {2 * e:.{d}f}" for m, e, d in zip(
-            v.mean(axis=0), spread[key], (1, 3, 2))) + f" | {more} |")
+            v.mean(axis=0), spread[key], (1, 1, 3, 2))) + f" | {more} |")
 
 
 def outline_of(tools, subspheres):

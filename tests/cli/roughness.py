@@ -67,6 +67,42 @@ def check_known_beds():
     assert Path("beds/roughness.svg").stat().st_size > 1000
 
 
+def make_pile(folder, variables, slope, porosity, seed):
+    """A triangle of grains beside the wall, one in twenty of them far away, and a fit that has the same angle."""
+    random = np.random.default_rng(seed)
+    folder.mkdir(parents=True)
+    x, y = random.random((2, 10000))
+    inside = x + y < 1.0
+    x, y = x[inside][:4000], y[inside][:4000] * slope
+    x[::20] += 3.0
+    rows = "".join(f"{k + 1} {a!r} {b!r}\n" for k, (a, b) in enumerate(zip(x.tolist(), y.tolist())))
+    for step, text in ((10, "1 1 1\n2 1 1\n"), (200, rows)):  # the last one counts
+        (folder / f"pile.{step:010}.dump").write_text("ITEM: ATOMS id x y\n" + text)
+    (folder / "pile.csv").write_text(f"repose_angle_deg,porosity,zpp\n0,0,0\n{np.degrees(np.arctan(slope))},{porosity},3.0\n")
+    (folder / "run.json").write_text(json.dumps({"finished": True, "variables": variables}))
+
+
+def check_known_piles():
+    """Angles of triangles that are known; Δμ between two smooth ones."""
+    for mu, slope in (("0.3", 0.3), ("0.5", 0.5)):
+        for seed in range(4):
+            make_pile(Path(f"heaps/smooth_{mu}_{seed}"), {"surface": "smooth", "mu": mu, "seed": str(seed)}, slope + 0.01 * seed, 0.15,
+                      seed)
+    for seed in range(4):
+        make_pile(Path(f"heaps/ms_{seed}"), {"surface": "multisphere", "subspheres": "5", "mu": "0.3", "seed": str(seed)},
+                  0.4 + 0.01 * seed, 0.2, 10 + seed)
+    done = subprocess.run(["/usr/bin/python3", "-B", SOURCE / "inputs" / "roughness" / "means.py", "heaps", "--piles"],
+                          capture_output=True, text=True, check=True)
+    rows = {row[0].strip() + row[1].strip(): row for row in (line.split("|")[1:-1] for line in done.stdout.splitlines()[2:])}
+    multisphere, smooth = rows["N = 50.3"], rows["smooth0.3"]
+    # one grain in twenty beyond all others moves the median of distances from its half to 0.5 / 0.95 of the rest
+    wanted = 0.315 * (1.0 - np.sqrt(0.5)) / (1.0 - np.sqrt(1.0 - 0.5 / 0.95))
+    assert abs(float(smooth[3].split()[0]) - np.degrees(np.arctan(wanted))) < 0.6, smooth  # 0.2 by 16,000 random grains
+    assert abs(float(smooth[4].split()[0]) - np.degrees(np.arctan(0.315))) < 0.1, smooth
+    for column in (7, 8):
+        assert abs(float(multisphere[column].split()[0]) - 0.1) < 0.03, multisphere
+
+
 def check_few_runs():
     make_run(Path("few/smooth"), {"surface": "smooth", "mu": "0.1", "seed": "1"}, 0.3, 1)
     text = means("few", expect=1)
@@ -76,7 +112,7 @@ def check_few_runs():
 def check_list():
     done = subprocess.run(["bash", SOURCE / "inputs" / "campaign.sh", "--count", "--input", SOURCE / "inputs" / "shear.in",
                            "--list", SOURCE / "inputs" / "roughness" / "runs.txt"], capture_output=True, text=True, check=True)
-    assert done.stdout.strip() == "57", done.stdout
+    assert done.stdout.strip() == "75", done.stdout
 
 
 def check_page():
@@ -93,6 +129,7 @@ def check_page():
 
 
 check_known_beds()
+check_known_piles()
 check_few_runs()
 check_list()
 check_page()

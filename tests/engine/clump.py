@@ -9,7 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from _engine import LAW, Setup, dump, read_dump, rotation, run, run_example, vectors
+from _engine import (LAW, Particle, Setup, dump, ellipsoids_data, read_dump, rotation, run, run_example,
+                     vectors)
 from _multisphere import chain, multisphere_setup
 
 # A hook: nothing symmetric about it (m).
@@ -257,6 +258,47 @@ class Restarts(unittest.TestCase):
             first, last = (sorted(read_dump(f)[1]["id"][-1]) for f in ("first.dump", "last.dump"))
             self.assertEqual(len(first), 40)
             np.testing.assert_array_equal(first, last)
+
+
+class ManyContacts(unittest.TestCase):
+    def test_more_than_the_lists_have_room_for(self):
+        """Two plates of 400 spheres face to face touch at some 500 places, by brute force; `contacts` 8, 64 and 1500
+        go the same way, bit for bit, with friction."""
+        along = (np.arange(20) - 9.5) * 1e-4
+        x, y = (v.ravel() for v in np.meshgrid(along, 0.8 * along))
+        plate = np.column_stack([x, y, 0.0 * x, np.full(len(x), 9e-5)])
+        Path("plate.csv").write_text("# frame: body\n")
+        with open("plate.csv", "a") as file:
+            np.savetxt(file, plate, fmt="%.17g")
+        reach = tuple((np.abs(plate[:, :3]) + plate[:, 3:]).max(axis=0))
+        mass, moments, box, angle = 1e-2, (2e-9, 3e-9, 5e-9), (0.0, 0.01) * 3, 0.2
+        below, above = np.full(3, 5e-3), np.array([5.02e-3, 5.03e-3, 5.17e-3])
+        turned = (math.cos(angle / 2), 0.0, 0.0, math.sin(angle / 2))
+        two = [Particle(tuple(below), reach, (1.0, 0.0, 0.0, 0.0), (0.02, 0.0, 0.05), (3.0, 0.0, 20.0), mass, moments),
+               Particle(tuple(above), reach, turned, (0.0, 0.0, -0.05), (0.0, 0.0, 0.0), mass, moments)]
+        before, rest = ellipsoids_data(two, box, 1).split("Atoms\n\n")
+        rows, after = rest.split("\n\nVelocities")
+        rows = "\n".join(f"{row} {len(plate)} 1001" for row in rows.split("\n"))
+        Path("two.data").write_text(f"{before}Atoms\n\n{rows}\n\nVelocities{after}")
+        columns, frames = "id x y z fx fy fz tqx tqy tqz omegax omegay omegaz".split(), []
+        for contacts in (8, 64, 1500):
+            start = Setup(box=box, boundary="p p p", time_step=1e-7, skin=2e-4, pair=multisphere_setup(f"contacts {contacts}").pair)
+            run(start.header() + "read_data two.data\n" + start.properties() + "neigh_modify one 30 page 280000\n"
+                + f"fix grain all particletemplate/ellipsoid 15485863 mass {mass} inertia {' '.join(map(repr, moments))} clump plate.csv\n"
+                + "fix motion all nve/ellipsoid\ncompute found all contacts/ellipsoid\nvariable pairs equal c_found[2]\n"
+                + dump("two.dump", 100, columns) + 'fix table all print 100 "${pairs}" file pairs.txt screen no\nrun 1000\n')
+            frames.append(read_dump("two.dump")[1])
+        centres = plate[:, :3] @ rotation(turned).T + above
+        touching = (np.linalg.norm((plate[:, None, :3] + below) - centres[None], axis=2) < 1.8e-4).sum()
+        found = np.loadtxt("pairs.txt", comments="#")
+        print(f"{touching} pairs of spheres touch at the start, {found.min():.0f} to {found.max():.0f} later")
+        self.assertGreater(touching, 400)
+        self.assertGreater(found.min(), 400)
+        for column in columns:
+            for other in frames[:2]:
+                np.testing.assert_array_equal(other[column], frames[2][column], column)
+        first = np.array([frames[2][f][0][0] for f in ("fx", "fy", "fz")])
+        self.assertLess(np.abs(first + [frames[2][f][0][1] for f in ("fx", "fy", "fz")]).max(), 1e-9 * np.abs(first).max())
 
 
 class ChainAsClump(unittest.TestCase):
