@@ -6,7 +6,7 @@
 #   bash inputs/roughness.sh FOLDER               runs, tables and picture in FOLDER
 #   bash inputs/roughness.sh FOLDER --means       tables and picture of the runs that are finished, nothing run
 #   bash inputs/roughness.sh FOLDER --piles       piles of piling.in for the list inputs/roughness/piles.txt, their table
-#   bash inputs/roughness.sh --kept               the tables of the runs kept in inputs/results/roughness
+#   bash inputs/roughness.sh --kept [FOLDER]      the tables of the runs kept in inputs/results/roughness, picture in FOLDER
 set -euo pipefail
 inputs="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 folder=${1:?give a folder for the results, or --kept}

@@ -113,29 +113,53 @@ def pile_groups(rows):
     return {key: np.array(values) for key, values in sorted(groups.items()) if len(values) > 1}
 
 
-def more_friction_of_pile(groups, spread, key, measure):
-    """How much more friction a smooth ellipsoid needs for the same angle, as text: middle, lower and upper end of 95 % of
-    the draws."""
-    if key[0] == "smooth":
-        return "-"
-    angles = {k: ({"friction": v[:, measure].mean()}, {"friction": spread[k][measure]}, len(v)) for k, v in groups.items()}
-    drawn = friction_of_smooth(angles, groups[key][:, measure].mean(), spread[key][measure],
-                               np.random.default_rng(20100107)) - key[3]
-    highest = max(k[3] for k in groups if k[0] == "smooth") - key[3]
-    low, middle, high = np.sort(np.where(np.isnan(drawn), np.inf, drawn))[
-        [int(share * DRAWS) for share in (0.025, 0.5, 0.975)]]
-    above = f"more than {highest:+.2f}"
-    return (above if np.isinf(middle) else f"{middle:+.2f}") + f" ({low:+.2f} to " + (above if np.isinf(high) else f"{high:+.2f}") + ")"
+def errors_of(groups):
+    return {key: v.std(axis=0, ddof=1) / np.sqrt(len(v)) for key, v in groups.items()}
+
+
+def more_friction_of_pile(groups, key, measure, random):
+    """How much more friction a smooth ellipsoid needs for the same angle, (DRAWS,): infinite beyond those that were run."""
+    errors = errors_of(groups)
+    angles = {k: ({"friction": v[:, measure].mean()}, {"friction": errors[k][measure]}, len(v)) for k, v in groups.items()}
+    drawn = friction_of_smooth(angles, groups[key][:, measure].mean(), errors[key][measure], random)
+    return np.where(np.isnan(drawn), np.inf, drawn) - key[3]
+
+
+def interval(drawn, highest):
+    """Middle, lower and upper end of 95 % of the draws, as text."""
+    low, middle, high = (f"more than {highest:+.2f}" if np.isinf(value) else f"{value:+.2f}"
+                         for value in np.sort(drawn)[[int(share * DRAWS) for share in (0.025, 0.5, 0.975)]])
+    return f"{middle} ({low} to {high})"
+
+
+def print_differences(means, rows):
+    """By how much the friction that a pile's triangle asks for differs from what a sheared bed asks for; of a bed beyond
+    the smooth ones that were run at least as much."""
+    groups = pile_groups(rows)
+    highest = max(key[3] for key in means if key[0] == "smooth")
+    print("\n| N | mu | of the pile less that of the sheared bed |\n|---|---|---|")
+    for key in groups:
+        bed = means.get((key[0], key[1], "sum", key[3]))
+        if key[0] == "smooth" or bed is None:
+            continue
+        random = np.random.default_rng(20100107)
+        sheared = friction_of_smooth(means, bed[0]["friction"], bed[1]["friction"], random)
+        pile = more_friction_of_pile(groups, key, 0, random) + key[3]
+        print(f"| {key[1]} | {key[3]:g} | {interval(pile - np.where(np.isnan(sheared), highest, sheared), highest)} |")
 
 
 def print_piles(rows):
     """Means with twice their standard errors, and by both angles how much more friction a smooth ellipsoid needs."""
     groups = pile_groups(rows)
-    spread = {key: v.std(axis=0, ddof=1) / np.sqrt(len(v)) for key, v in groups.items()}
+    spread = errors_of(groups)
+    highest = max(key[3] for key in groups if key[0] == "smooth")
     print("| grains | mu | runs | angle of the triangle, deg | fitted angle, deg | porosity | contacts | smooth, mu + more: more, "
           "by the triangle | by the fit |\n|---|---|---|---|---|---|---|---|---|")
     for key, v in groups.items():
-        more = " | ".join(more_friction_of_pile(groups, spread, key, measure) for measure in (0, 1))
+        more = "- | -"
+        if key[0] != "smooth":
+            more = " | ".join(interval(more_friction_of_pile(groups, key, measure, np.random.default_rng(20100107)),
+                                       highest - key[3]) for measure in (0, 1))
         name = "smooth" if key[0] == "smooth" else f"N = {key[1]}"
         print(f"| {name} | {key[3]:g} | {len(v)} | " + " | ".join(f"{m:.{d}f} +- {2 * e:.{d}f}" for m, e, d in zip(
             v.mean(axis=0), spread[key], (1, 1, 3, 2))) + f" | {more} |")
@@ -200,7 +224,9 @@ def print_tables(means, rows):
               f"{2 * r['friction_error']:.3f} | {r['solid_fraction']:.3f} | {more} |")
 
 
-def main(folder):
+def main(folder, pictures=None):
+    """Tables of a folder of runs, with picture there, or of the runs that are kept, with picture in a folder if one is
+    named."""
     tools = Path(os.environ.get("ELLIPSOID_BIN", INPUTS.parent / "build" / "bin")) / "ellipsoid-post"
     rows = read_rows(folder)
     means = means_of(rows)
@@ -211,8 +237,11 @@ def main(folder):
     if folder == "--kept":
         print()
         print_piles(piles_of(folder))
-        return
-    out = Path(folder)
+        print_differences(means, piles_of(folder))
+        if not pictures:
+            return
+    out = Path(pictures or folder)
+    out.mkdir(parents=True, exist_ok=True)
     write_rows(out / "runs.csv", rows)
     write_rows(out / "equivalent.csv", found)
     if any("more_friction" in r for r in found):
@@ -226,4 +255,4 @@ if __name__ == "__main__":
         write_rows(Path(sys.argv[1]) / "piles.csv", piles_of(sys.argv[1]))
         print_piles(piles_of(sys.argv[1]))
     else:
-        main(sys.argv[1])
+        main(sys.argv[1], sys.argv[2] if sys.argv[1] == "--kept" and len(sys.argv) > 2 else None)
