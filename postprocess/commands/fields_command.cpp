@@ -6,6 +6,7 @@
 #include "force_list_options.h"
 #include "frame_loop.h"
 #include "frame_options.h"
+#include "long_tables.h"
 #include "option_checks.h"
 #include "step_names.h"
 #include "time_option.h"
@@ -93,8 +94,9 @@ class FieldFrames {
     write_frame(row_, means, last_step_);
   }
 
-  const Table& all() const { return all_; }
-  const Table& main() const { return main_; }
+  const std::string& title() const { return title_; }
+  const RowStore& all() const { return all_; }
+  const RowStore& main() const { return main_; }
 
  private:
   void begin(const ChosenFrame& chosen) {
@@ -103,7 +105,7 @@ class FieldFrames {
     points_.emplace(options_.points, chosen.set.box, width);
     if (!options_.vti.empty() && !points_->is_grid())
       throw InputError("--vti needs --grid");
-    main_.title = "Fields (" + options_.kernel + ", width " + shown(Value(width)) + " m)";
+    title_ = "Fields (" + options_.kernel + ", width " + shown(Value(width)) + " m)";
   }
 
   KnownFields known() const {
@@ -126,8 +128,8 @@ class FieldFrames {
       if (options_.has_errors)
         append_field_errors(row, known(), points_->component_names(), errors_at(n));
       append_main_fields(few, row, points_->component_names());
-      all_.rows.push_back(std::move(row));
-      main_.rows.push_back(std::move(few));
+      all_.add(row);
+      main_.add(few);
     }
     if (options_.vti.empty())
       return;
@@ -150,7 +152,8 @@ class FieldFrames {
   std::int64_t last_step_ = 0;
   Row row_; ///< of the first frame
   FieldBlocks blocks_;
-  Table all_{"Fields", {}}, main_;
+  std::string title_; ///< of the table for people
+  RowStore all_, main_;
 };
 
 int run(const FieldsOptions& options) {
@@ -158,11 +161,7 @@ int run(const FieldsOptions& options) {
   const int code =
       for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) { fields.add(chosen); });
   fields.add_mean();
-  if (prints_text(options.frames) && !fields.main().rows.empty())
-    write_text("-", as_text(fields.main()));
-  OutputOptions files = options.frames;
-  files.quiet = true;
-  write_table(files, fields.all());
+  write_rows(options.frames, fields.title(), fields.all(), fields.main());
   return code;
 }
 

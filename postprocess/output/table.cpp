@@ -1,63 +1,23 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "table.h"
 
-#include "input_error.h"
-#include "opened_files.h"
+#include "table_lines.h"
+#include "written_file.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace ellipsoid::post {
 namespace {
 
-template <class... Functions> struct Overloaded : Functions... { using Functions::operator()...; };
-template <class... Functions> Overloaded(Functions...) -> Overloaded<Functions...>;
-
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos)
-    return text;
-  std::string quoted = "\"";
-  for (const char letter : text)
-    quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-  return quoted + "\"";
-}
-
-std::string csv_value(const Value& value) {
-  return std::visit(Overloaded{[](std::monostate) { return std::string(); },
-                               [](bool v) { return std::string(v ? "1" : "0"); },
-                               [](std::int64_t v) { return fmt::format("{}", v); },
-                               [](double v) { return fmt::format("{}", v); },
-                               [](const std::string& v) { return csv_field(v); }},
-                    value);
-}
-
-nlohmann::ordered_json json_value(const Value& value) {
-  return std::visit(Overloaded{[](std::monostate) { return nlohmann::ordered_json(nullptr); },
-                               [](const auto& v) { return nlohmann::ordered_json(v); }},
-                    value);
-}
-
 /// Columns of text with the widest entry's width; the first one to the left.
 std::string aligned(const std::vector<std::vector<std::string>>& lines) {
-  std::vector<std::size_t> width;
+  std::vector<std::size_t> widths;
   for (const auto& line : lines)
-    for (std::size_t k = 0; k < line.size(); ++k) {
-      width.resize(std::max(width.size(), line.size()), 0);
-      width[k] = std::max(width[k], line[k].size());
-    }
+    widen(widths, line);
   std::string text;
-  for (const auto& line : lines) {
-    std::string row;
-    for (std::size_t k = 0; k < line.size(); ++k)
-      row += k == 0 ? fmt::format("{:<{}}", line[k], width[k])
-                    : fmt::format("  {:>{}}", line[k], width[k]);
-    row.erase(row.find_last_not_of(' ') + 1);
-    text += row + "\n";
-  }
+  for (const auto& line : lines)
+    text += aligned_line(line, widths);
   return text;
 }
 
@@ -78,21 +38,11 @@ std::string vertical(const Row& row) {
   return text;
 }
 
-std::string cell(const Row& row, const Quantity& q) {
-  const Value* value = find_value(row, q.key);
-  return value ? shown(*value) : "-";
-}
-
 /// A line per row of the table.
 std::string across(const std::vector<Row>& rows, const std::vector<Quantity>& header) {
-  std::vector<std::vector<std::string>> lines(1);
-  for (const Quantity& q : header)
-    lines[0].push_back(q.unit.empty() ? q.name : q.name + " [" + q.unit + "]");
-  for (const Row& row : rows) {
-    lines.emplace_back();
-    for (const Quantity& q : header)
-      lines.back().push_back(cell(row, q));
-  }
+  std::vector<std::vector<std::string>> lines{head_cells(header)};
+  for (const Row& row : rows)
+    lines.push_back(cells(row, header));
   return aligned(lines);
 }
 
@@ -101,9 +51,9 @@ std::string beside(const Table& table, const std::vector<Quantity>& header, std:
                    std::size_t last) {
   std::vector<std::vector<std::string>> lines;
   for (const Quantity& q : header) {
-    lines.push_back({"  " + (q.unit.empty() ? q.name : q.name + " [" + q.unit + "]")});
+    lines.push_back({"  " + head_cells({q}).front()});
     for (std::size_t k = first; k < last; ++k)
-      lines.back().push_back(cell(table.rows[k], q));
+      lines.back().push_back(cells(table.rows[k], {q}).front());
   }
   return aligned(lines);
 }
@@ -137,15 +87,6 @@ std::string in_columns(const Table& table, const std::vector<Quantity>& header) 
 }
 
 } // namespace
-
-std::string shown(const Value& value) {
-  return std::visit(Overloaded{[](std::monostate) { return std::string("-"); },
-                               [](bool v) { return std::string(v ? "yes" : "no"); },
-                               [](std::int64_t v) { return fmt::format("{}", v); },
-                               [](double v) { return fmt::format("{:.5g}", v); },
-                               [](const std::string& v) { return v; }},
-                    value);
-}
 
 std::vector<Quantity> Table::header() const {
   if (rows.empty())
@@ -183,44 +124,23 @@ std::string as_text(const Table& table) {
 
 std::string as_csv(const Table& table) {
   const std::vector<Quantity> header = table.header();
-  std::string text;
-  for (std::size_t k = 0; k < header.size(); ++k)
-    text += (k > 0 ? "," : "") + csv_field(header[k].key);
-  text += "\n";
-  for (const Row& row : table.rows) {
-    for (std::size_t k = 0; k < header.size(); ++k) {
-      const Value* value = find_value(row, header[k].key);
-      text += (k > 0 ? "," : "") + (value ? csv_value(*value) : std::string());
-    }
-    text += "\n";
-  }
+  std::string text = csv_head(header);
+  for (const Row& row : table.rows)
+    text += csv_line(row, header);
   return text;
 }
 
 std::string as_json(const Table& table) {
-  auto array = nlohmann::ordered_json::array();
-  for (const Row& row : table.rows) {
-    auto object = nlohmann::ordered_json::object();
-    for (const Quantity& q : row)
-      object[q.key] = json_value(q.value);
-    array.push_back(std::move(object));
-  }
-  constexpr int indent = 2;
-  return array.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  std::string text;
+  for (const Row& row : table.rows)
+    text += (text.empty() ? "[\n" : ",\n") + json_element(row);
+  return text.empty() ? "[]\n" : text + "\n]\n";
 }
 
 void write_text(const std::string& path, const std::string& text) {
-  if (path != "-" && has_been_read(path))
-    throw InputError(fmt::format("{}: this file has been read and is not written over: choose "
-                                 "another name for the result",
-                                 path));
-  std::FILE* file = path == "-" ? stdout : std::fopen(path.c_str(), "wb");
-  if (!file)
-    throw InputError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
-  bool is_good = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  is_good = (file == stdout ? std::fflush(file) : std::fclose(file)) == 0 && is_good;
-  if (!is_good)
-    throw InputError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
+  WrittenFile file(path);
+  file.write(text);
+  file.close();
 }
 
 } // namespace ellipsoid::post

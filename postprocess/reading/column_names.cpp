@@ -10,10 +10,12 @@
 namespace ellipsoid::post {
 
 const std::vector<std::string> known_columns = {
-    "id",           "type",     "mass",   "x",      "y",      "z",      "vx",
-    "vy",           "vz",       "omegax", "omegay", "omegaz", "quat1",  "quat2",
-    "quat3",        "quat4",    "shapex", "shapey", "shapez", "radius", "diameter",
-    "f_subspheres", "f_spacing"};
+    "id",           "type",      "mass",     "x",        "y",        "z",      "vx",
+    "vy",           "vz",        "omegax",   "omegay",   "omegaz",   "quat1",  "quat2",
+    "quat3",        "quat4",     "shapex",   "shapey",   "shapez",   "radius", "diameter",
+    "f_subspheres", "f_spacing", "inertiax", "inertiay", "inertiaz", "xu",     "yu",
+    "zu",           "xs",        "ys",       "zs",       "xsu",      "ysu",    "zsu",
+    "ix",           "iy",        "iz"};
 
 void add_column_name(ColumnNames& names, const std::string& assignment) {
   const std::size_t sign = assignment.find('=');

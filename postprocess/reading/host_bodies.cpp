@@ -83,6 +83,8 @@ class BodyMaker {
       : set_(set), frame_(columns.frame()), cell_(set.box), sizes_(columns, options),
         common_(columns), have_ids_(columns.find("id") != nullptr) {
     common_.describe(set);
+    // the host keeps its bodies within the box by the image flags of their spheres
+    set.tells_ways = false;
   }
 
   void add(const std::vector<std::size_t>& rows, std::int64_t body_number) {

@@ -37,6 +37,9 @@ VectorColumns known_vector(const NamedColumns& columns, const Availability& avai
 
 const std::vector<std::string> velocity_names = {"vx", "vy", "vz"};
 const std::vector<std::string> spin_names = {"omegax", "omegay", "omegaz"};
+const std::vector<std::string> unwrapped_names = {"xu", "yu", "zu"};
+const std::vector<std::string> unwrapped_scaled_names = {"xsu", "ysu", "zsu"};
+const std::vector<std::string> image_names = {"ix", "iy", "iz"};
 const std::vector<std::string> moment_names = {"inertiax", "inertiay", "inertiaz"};
 
 } // namespace
@@ -81,6 +84,47 @@ PositionColumns::PositionColumns(const NamedColumns& columns) : frame_(columns.f
     }
   if (!plain_ && !scaled_)
     require_all(frame_, {"x", "y", "z"}, "the position of the particles");
+  find_ways(columns);
+}
+
+void PositionColumns::find_ways(const NamedColumns& columns) {
+  if (are_unwrapped_)
+    tells_ways_ = true;
+  for (VectorColumns* found : {&unwrapped_plain_, &unwrapped_scaled_, &images_}) {
+    const std::vector<std::string>& names = found == &unwrapped_plain_    ? unwrapped_names
+                                            : found == &unwrapped_scaled_ ? unwrapped_scaled_names
+                                                                          : image_names;
+    const Availability availability = availability_of(columns, names);
+    if (are_unwrapped_ || !(availability.is_known() || !availability.fault().empty()))
+      continue;
+    tells_ways_ = availability;
+    *found = known_vector(columns, availability, names);
+    break;
+  }
+  if (images_)
+    tells_ways_ = Availability(true, fault_of_images());
+}
+
+/// The first image flag that is no whole number, as a message; or nothing.
+std::string PositionColumns::fault_of_images() const {
+  for (std::size_t row = 0; row < frame_.rows; ++row)
+    for (const Column column : {images_.x, images_.y, images_.z})
+      if ((*column)[row] != std::floor((*column)[row]))
+        return bad_value(frame_, row, "whole numbers ix iy iz, how often a particle went around",
+                         fmt::format("{}", (*column)[row]))
+            .what();
+  return "";
+}
+
+Vector3 PositionColumns::unwrapped(std::size_t row) const {
+  if (unwrapped_plain_)
+    return unwrapped_plain_.at(row);
+  if (unwrapped_scaled_)
+    return unscaled(unwrapped_scaled_.at(row));
+  if (!images_)
+    return at(row);
+  const Vector3 times = images_.at(row);
+  return at(row) + unscaled(times) - unscaled(Vector3{});
 }
 
 Vector3 PositionColumns::at(std::size_t row) const {
@@ -123,7 +167,8 @@ SizeColumns::SizeColumns(const NamedColumns& columns, const ParticleOptions& opt
   scale_ = options.size_scale.value_or(are_whole_axes_ ? 0.5 : 1.0);
   if (!shape_) {
     radius_ = columns.find("radius");
-    diameter_ = columns.find("diameter");
+    if (!columns.is_assigned("radius"))
+      diameter_ = columns.find("diameter");
   }
   if (!given_.empty() && (shape_ || radius_ || diameter_))
     throw InputError("--semiaxes is for files without sizes: this one has columns with them; leave "
@@ -160,6 +205,11 @@ Vector3 SizeColumns::raw(std::size_t row) const {
   if (shape_)
     return shape_.at(row);
   const double radius = radius_ ? (*radius_)[row] : 0.5 * (*diameter_)[row];
+  constexpr double six_digits = 1e-5; // of a column in the host's default format
+  if (radius_ && diameter_ && std::abs((*diameter_)[row] - 2.0 * radius) > six_digits * radius)
+    throw bad_value(
+        frame_, row, fmt::format("a diameter of twice the radius {}", radius),
+        fmt::format("{}; --column radius=NAME takes the column NAME alone", (*diameter_)[row]));
   return {radius, radius, radius};
 }
 
@@ -236,6 +286,7 @@ Particle CommonColumns::at(std::size_t row) const {
   p.type = type_ ? whole_number(frame_, row, "type", (*type_)[row]) : 1;
   p.mass = mass_ ? (*mass_)[row] : 0.0;
   p.centre = position_.at(row);
+  p.unwrapped_centre = position_.unwrapped(row);
   if (velocity_)
     p.velocity = velocity_.at(row);
   if (spin_)
@@ -251,7 +302,7 @@ void CommonColumns::describe(ParticleSet& set) const {
   set.has_velocities = has_velocities_;
   set.has_spins = has_spins_;
   set.has_moments = has_moments_;
-  set.is_unwrapped = is_unwrapped();
+  set.tells_ways = position_.tells_ways();
 }
 
 } // namespace ellipsoid::post

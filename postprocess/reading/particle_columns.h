@@ -21,20 +21,29 @@ std::int64_t whole_number(const Frame& frame, std::size_t row, const char* what,
 /// Rows in the order of their ids. Throws InputError where one comes twice.
 std::vector<std::size_t> rows_by_id(const NamedColumns& columns);
 
-/// Positions in the box: plain, unwrapped or scaled coordinates.
+/// Positions in the box: plain, unwrapped or scaled coordinates; and how often particles went
+/// around the box, by unwrapped coordinates or by image flags ix iy iz.
 class PositionColumns {
  public:
   explicit PositionColumns(const NamedColumns& columns);
   Vector3 at(std::size_t row) const;
-  /// Whether they go on beyond the faces of a box that repeats.
+  /// Whether at() goes on beyond the faces of a box that repeats.
   bool are_unwrapped() const { return are_unwrapped_; }
+  /// Whether unwrapped() does.
+  const Availability& tells_ways() const { return tells_ways_; }
+  /// The same as at() where the file does not tell.
+  Vector3 unwrapped(std::size_t row) const;
 
  private:
+  void find_ways(const NamedColumns& columns);
+  std::string fault_of_images() const;
   Vector3 unscaled(const Vector3& s) const;
 
   const Frame& frame_;
-  VectorColumns plain_, scaled_;
+  VectorColumns plain_, scaled_;                              ///< one of them: where particles are
+  VectorColumns unwrapped_plain_, unwrapped_scaled_, images_; ///< one of them, or none
   bool are_unwrapped_ = false;
+  Availability tells_ways_;
 };
 
 /// Semi-axes: from the options, from shape columns or from a radius.

@@ -35,6 +35,8 @@ struct Particle {
   Vector3 principal_moments; ///< about the body's x, y, z (mass length^2), see has_moments
   Vector3 moments_per_mass;  ///< principal, of a clump (length^2); 0: those of its ellipsoid
   Vector3 centre, velocity, angular_velocity;
+  /// The centre gone on beyond faces that repeat; only of sets that tell ways (length).
+  Vector3 unwrapped_centre;
   Quaternion orientation;
   KnownOrientation known_orientation = KnownOrientation::whole;
   /// a, b, c along the body's x, y, z (length); of unions of spheres half their lengths
@@ -83,8 +85,9 @@ struct ParticleSet {
   /// The host's bodies whose mass centre is not known from their spheres (0 where all are symmetric
   /// about a point): their velocities are those of the centroid of the centres.
   std::size_t asymmetric_bodies = 0;
-  Box box;                          ///< of the frame; where it repeats, so do the particles
-  bool is_unwrapped = false;        ///< centres go on beyond the faces of a box that repeats
+  Box box; ///< of the frame; where it repeats, so do the particles
+  /// Whether the file tells how often particles went around a box that repeats.
+  Availability tells_ways;
   std::vector<std::string> remarks; ///< how columns were understood that could mean something else
 };
 
@@ -109,13 +112,13 @@ struct ParticleOptions {
 
 /// Bodies of one frame, sorted by id: measures do not depend on the order of the rows.
 ///
-/// Columns: x y z (or xu, xs, xsu ...), shapex shapey shapez (semi-axes) or radius, quat1..quat4,
-/// id, type, mass, vx.., omegax.., f_subspheres (number N; 0 or missing: smooth), f_spacing
-/// (1000 + n: clump n).
-/// LAMMPS's names quatw..quatk, c_orient[*], c_diameter[*]: whole axes, which are halved.
-/// Rows with a column `id_multisphere` > 0 are spheres of a rigid body of the host.
-/// Throws InputError for missing columns, sizes <= 0, quaternions of length 0, impossible N, ids
-/// that come twice, superquadrics that are no ellipsoids, and columns whose meaning is not sure.
+/// Columns: x y z (or xu, xs, xsu ...), ix iy iz, shapex shapey shapez (semi-axes) or radius,
+/// quat1..quat4, id, type, mass, vx.., omegax.., f_subspheres (number N; 0 or missing: smooth),
+/// f_spacing (1000 + n: clump n). LAMMPS's names quatw..quatk, c_orient[*], c_diameter[*]: whole
+/// axes, which are halved. Rows with a column `id_multisphere` > 0 are spheres of a rigid body of
+/// the host. Throws InputError for missing columns, sizes <= 0, quaternions of length 0, impossible
+/// N, ids that come twice, superquadrics that are no ellipsoids, and columns whose meaning is not
+/// sure.
 ParticleSet particles_of(const Frame& frame, const ParticleOptions& options);
 
 } // namespace ellipsoid::post

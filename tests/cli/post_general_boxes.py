@@ -131,6 +131,65 @@ def check_cells(rng, box):
     assert abs(sum(float(row["cell_volume_m3"]) for row in rows) / volume - 1) < 1e-9
 
 
+def check_thin_boxes():
+    """Bodies that stand alone along an edge: their own images lie on the other side of faces. The cells of a
+    lattice are the same however many of them the box has; of spheres they are known."""
+    axes, lengths = np.array([0.9e-3, 0.6e-3, 1.4e-3]), np.array([2.9e-3, 3.0e-3, 3.2e-3])  # the longest axis is z
+    known = None
+    for counts in ((2, 2, 2), (1, 1, 1), (2, 1, 1), (1, 3, 2), (3, 3, 1)):  # the first one: others on all sides
+        rows = [(k + 1, 1, 1e-5, *(lengths * (np.array(n) + 0.4)), 0.5, 0.1, -0.7, 0.5, *axes) for k, n in enumerate(np.ndindex(*counts))]
+        text = ("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n" + f"{len(rows)}\nITEM: BOX BOUNDS pp pp pp\n"
+                + "".join(f"0 {float(e)!r}\n" for e in lengths * counts) + "ITEM: ATOMS " + " ".join(NAMES) + "\n"
+                + "".join(" ".join(repr(float(x)) if isinstance(x, float) else str(x) for x in row) + "\n" for row in rows))
+        post("voronoi", write("thin.dump", text), "--per-particle", "thin.csv", "--quiet")
+        with open("thin.csv", encoding="ascii") as file:
+            for row in csv.DictReader(file):
+                assert abs(float(row["cell_volume_m3"]) / np.prod(lengths) - 1) < 1e-6, (counts, row)
+                cell = [float(row[key]) for key in ("cell_area_m2", "cell_anisotropy")]
+                known = known or cell
+                assert np.abs(np.array(cell) / known - 1).max() < 1e-4, (counts, cell, known)
+                others = sum(min(2, n - 1) for n in counts)
+                assert int(row["cell_neighbours"]) >= others, (counts, row)  # and those that touch at an edge, to rounding
+    edge, shear = 1e-3, 0.3e-3
+    areas = {}
+    for high in (1, 2):
+        rows = "".join(f"{k + 1} 1 1e-5 {0.1e-3 + shear * k!r} {0.2e-3 + edge * k!r} 3e-4 1 0 0 0 4e-4 4e-4 4e-4\n" for k in range(high))
+        text = (f"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n{high}\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 {edge + shear * high!r} {shear * high!r}\n"
+                f"0 {edge * high!r} 0\n0 {edge!r} 0\nITEM: ATOMS " + " ".join(NAMES) + "\n" + rows)
+        (row,) = json_of("voronoi", write("thin.dump", text))
+        areas[high] = row["cell_anisotropy_mean"]
+        assert abs(row["cell_volume_sum_m3"] / (high * edge ** 3) - 1) < 1e-9, row
+    # a prism over the hexagon about a point of the sheared square lattice
+    points = np.array([[i * edge + j * shear, j * edge] for i in range(-2, 3) for j in range(-2, 3) if (i, j) != (0, 0)])
+    sides = hexagon_sides(points)
+    hexagon = edge * edge
+    w = np.zeros((3, 3))
+    for n, length in sides:
+        w += length * edge * np.outer([*n, 0], [*n, 0])
+    w[2, 2] = 2 * hexagon
+    values = np.linalg.eigvalsh(w)
+    for high, value in areas.items():
+        assert abs(value - values[0] / values[2]) < 1e-9, (high, value, values)
+
+
+def hexagon_sides(points):
+    """(normal, length) of the sides of the Voronoi cell of the origin among points of a plane."""
+    sides = []
+    for p in points:
+        middle, along = p / 2, np.array([-p[1], p[0]]) / np.linalg.norm(p)
+        low, high = -np.inf, np.inf
+        for q in points:  # (middle + s along) . q <= q . q / 2
+            slope, room = along @ q, q @ q / 2 - middle @ q
+            if abs(slope) < 1e-12 * np.linalg.norm(q):
+                if room < -1e-15:
+                    low, high = 0.0, -1.0
+                continue
+            low, high = (low, min(high, room / slope)) if slope > 0 else (max(low, room / slope), high)
+        if high > low:
+            sides.append((p / np.linalg.norm(p), high - low))
+    return sides
+
+
 def check_bed_and_pairs(rng, box):
     """Solid share of a region across the cell's faces; distances of centres."""
     scene = Scene(rng, *box, 25, (0.08, 0.2), False)
@@ -266,6 +325,7 @@ def check_plane(rng, box):
 def main():
     print("seed", SEED)
     rng = np.random.default_rng(SEED)
+    check_thin_boxes()
     face = dome()
     for box in boxes(rng):
         check_per_particle(rng, box)

@@ -306,6 +306,68 @@ def check_eye_and_costs(folder):
     print(f"early depth: {answer['has_extension']}")
 
 
+CONTROLS = """
+const { camera, drawing, shown } = page, canvas = drawing.canvas;
+canvas.setPointerCapture = () => {}; // the events are made, no finger is there
+const key = (name, target) => (target || document.body).dispatchEvent(new KeyboardEvent("keydown", { key: name, bubbles: true, cancelable: true }));
+const pointer = (kind, id, x, y, more) => canvas.dispatchEvent(new PointerEvent(kind, { pointerId: id, clientX: x, clientY: y, button: 0, buttons: 1, bubbles: true, ...more }));
+const state = () => ({ turn: [...camera.turn], target: [...camera.target], height: camera.height });
+const after = (change) => { camera.reset(); change(); return state(); };
+answer.first = after(() => {});
+answer.arrow = after(() => key("ArrowLeft"));
+answer.plus = after(() => key("+"));
+answer.in_field = after(() => { key("+", document.getElementById("low")); });
+answer.axes = ["x", "y", "z"].map((name) => after(() => key(name)).turn);
+answer.dragged = after(() => { pointer("pointerdown", 1, 100, 100); pointer("pointermove", 1, 160, 100); pointer("pointerup", 1, 160, 100); });
+answer.moved = after(() => { pointer("pointerdown", 1, 100, 100); pointer("pointermove", 1, 160, 130, { shiftKey: true }); pointer("pointerup", 1, 160, 130); });
+answer.pinched = after(() => { for (const [id, x] of [[1, 200], [2, 300]]) pointer("pointerdown", id, x, 100);
+                               pointer("pointermove", 2, 400, 100); for (const id of [1, 2]) pointer("pointerup", id, 0, 0); });
+answer.wheel = after(() => canvas.dispatchEvent(new WheelEvent("wheel", { deltaY: -100, cancelable: true })));
+answer.canvas_height = canvas.clientHeight;
+key("p"); answer.perspective = camera.perspective; key("p");
+camera.reset(); page.draw_now();
+const place = page.project(1000000);
+answer.tapped = (pointer("pointerdown", 1, ...place), pointer("pointerup", 1, ...place), page.shown.selected >= 0 ? id_of(page.scene.bodies, page.frame.body[page.shown.selected]) : null);
+key("Escape"); answer.escaped = page.shown.selected;
+await page.set_frame(1); key(","); await page.reading; answer.back = page.frame.number; key("."); await page.reading; answer.forth = page.frame.number;
+key(" "); answer.plays = page.playing; key(" "); answer.stopped = page.playing; await page.reading;
+shown.box = shown.particles = false;
+answer.corner = ["light", "dark", "light"].map((theme) => { if (document.documentElement.dataset.theme !== theme) key("d"); page.draw_now(); return page.pixel(20, 200); });
+shown.box = shown.particles = true;
+let saved = null;
+HTMLAnchorElement.prototype.click = function() { saved = { name: this.download, url: this.href }; };
+key("s");
+for (let k = 0; k < 50 && !saved; ++k) await new Promise((done) => setTimeout(done, 20));
+const picture = new Image();
+await new Promise((done, failed) => { picture.onload = done; picture.onerror = failed; picture.src = saved.url; });
+answer.saved = [saved.name, picture.width, picture.height, canvas.width, canvas.height];
+"""
+
+
+def check_controls(folder):
+    """Keys, mouse, fingers, dark and light, the screenshot, of the page of check_page."""
+    answer = ask(folder / "view.html", CONTROLS, folder, SIZE)
+    assert answer["complaints"] == [], answer["complaints"]
+    first, height = answer["first"], answer["canvas_height"]
+    angle = lambda state: 2 * np.arccos(min(1.0, abs(np.dot(first["turn"], state["turn"]))))
+    assert abs(angle(answer["arrow"]) - 0.1) < 1e-6 and abs(angle(answer["dragged"]) - 5 * 60 / height) < 1e-6, answer["arrow"]
+    assert abs(answer["plus"]["height"] * 1.15 / first["height"] - 1) < 1e-9 and answer["in_field"] == first, answer["in_field"]
+    assert abs(answer["pinched"]["height"] * 2 / first["height"] - 1) < 1e-9, answer["pinched"]  # from 100 to 200 pixels apart
+    assert abs(answer["wheel"]["height"] * np.exp(0.15) / first["height"] - 1) < 1e-9, answer["wheel"]
+    turn = rotation(first["turn"])  # from the scene to the camera
+    moved = turn @ (np.array(answer["moved"]["target"]) - first["target"])
+    assert np.abs(moved - np.array([-60, 30, 0]) * 2 / height * first["height"]).max() < 1e-9, moved
+    up = {"x": [1, 0, 0], "y": [0, 1, 0], "z": [0, 0, 1]}
+    for name, q in zip("xyz", answer["axes"]):
+        seen = rotation(q) @ up[name]
+        assert np.abs(np.abs(seen) - [0, 0, 1]).max() < 1e-9, (name, seen)  # that axis runs to or from the eye
+    assert answer["perspective"] and answer["tapped"] is not None and answer["escaped"] == -1, answer["tapped"]
+    assert (answer["back"], answer["forth"], answer["plays"], answer["stopped"]) == (0, 1, True, False), answer
+    assert answer["corner"] == [[255, 255, 255], [20, 23, 27], [255, 255, 255]], answer["corner"]
+    name, *sizes = answer["saved"]
+    assert name.endswith(".png") and sizes[:2] == sizes[2:], answer["saved"]
+
+
 def check_chains_and_walls(folder):
     """Two spheres that press each other before a wall: the chain between their centres is seen, and as wide as it should be."""
     rows = [dict(zip(COLUMNS, (k, 1, 1e-5, x, 0.0, 0.0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1e-3, 1e-3, 1e-3, 0, 0.0)))
@@ -425,6 +487,7 @@ def main():
     folder = pathlib.Path.cwd()
     print(f"seed {SEED}")
     check_page(folder, np.random.default_rng(SEED))
+    check_controls(folder)
     check_eye_and_costs(folder)
     check_chains_and_walls(folder)
     check_images_and_first_view(folder)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "frame_loop.h"
+#include "frame_steps.h"
 #include "input_error.h"
 #include "messages.h"
 
@@ -30,13 +31,19 @@ class FrameClock {
   std::optional<std::int64_t> last_; ///< time step
 };
 
-/// Warns of a run whose frames may be too far apart. @param[in] count of long steps
-inline void warn_of_long_steps(const std::string& run, std::size_t count) {
-  if (count > 0)
-    report_warning(run + ": " + std::to_string(count) +
+/// Warns of a run whose frames may be too far apart.
+inline void warn_of_long_steps(const std::string& run, const LongSteps& steps) {
+  if (steps.doubtful > 0)
+    report_warning(run + ": " + std::to_string(steps.doubtful) +
                        " steps of particles between frames are longer than 0.4 of an edge that "
                        "repeats: if one was longer than half, its way is not known",
                    "long steps of " + run);
+  if (steps.by_flags > 0)
+    report_warning(run + ": " + std::to_string(steps.by_flags) +
+                       " steps of particles between frames are longer than half of an edge that "
+                       "repeats, by image flags or unwrapped positions: these do not tell ways of "
+                       "spheres of the host's rigid bodies (dump id_multisphere with them)",
+                   "steps by flags of " + run);
 }
 
 } // namespace ellipsoid::post

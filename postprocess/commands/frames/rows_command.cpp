@@ -1,15 +1,16 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "rows_command.h"
 
-#include <iterator>
+#include "long_tables.h"
 
 namespace ellipsoid::post {
 
 int run_rows_command(const FrameOptions& options, const std::string& title, FrameOrder order,
                      const std::function<std::vector<Row>(const ChosenFrame&)>& make_rows) {
-  Table table{title, {}};
-  const auto append = [&table](std::vector<Row> rows) {
-    std::move(rows.begin(), rows.end(), std::back_inserter(table.rows));
+  RowStore all;
+  const auto append = [&all](const std::vector<Row>& rows) {
+    for (const Row& row : rows)
+      all.add(row);
   };
   const int code =
       order == FrameOrder::ascending
@@ -17,7 +18,7 @@ int run_rows_command(const FrameOptions& options, const std::string& title, Fram
           : for_measured_frames(options, [&](const ChosenFrame& f) {
               return [&append, rows = make_rows(f)] { append(rows); };
             });
-  write_table(options, table);
+  write_rows(options, title, all);
   return code;
 }
 

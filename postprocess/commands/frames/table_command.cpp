@@ -2,6 +2,7 @@
 #include "table_command.h"
 
 #include "frame_options.h"
+#include "long_tables.h"
 #include "run_summary.h"
 
 #include <algorithm>
@@ -17,14 +18,14 @@ const std::vector<std::string> summarised = {"repose_angle_deg", "porosity", "zp
 
 int run_table_command(const FrameOptions& options, const std::string& title,
                       const std::function<Row(const ChosenFrame&)>& make_row) {
-  Table table{title, {}};
+  RowStore rows;
   const int code = for_measured_frames(options, [&](const ChosenFrame& chosen) {
-    return [&table, row = make_row(chosen)] { table.rows.push_back(row); };
+    return [&rows, row = make_row(chosen)] { rows.add(row); };
   });
-  write_table(options, table);
-  if (prints_text(options) && table.rows.size() > 1 && options.frames != "all")
-    write_text("-",
-               "\n" + as_text(summary_for_people(table, {"surface", "subspheres"}, summarised)));
+  write_rows(options, title, rows);
+  if (prints_text(options) && rows.size() > 1 && options.frames != "all")
+    write_text("-", "\n" + as_text(summary_for_people(rows.table(title), {"surface", "subspheres"},
+                                                      summarised)));
   return code;
 }
 

@@ -60,7 +60,8 @@ void add_column_options(CLI::App& command, ParticleOptions& particles) {
             for (const std::string& assignment : assignments)
               add_column_name(particles.columns, assignment);
           },
-          "NAME=COLUMN: the file's COLUMN is what the table of columns calls NAME")
+          "NAME=COLUMN: the file's COLUMN is what the table of columns calls NAME; once for each "
+          "column")
       ->expected(1)
       ->allow_extra_args(false)
       ->take_all()

@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "output_options.h"
 
-#include "input_error.h"
+#include "long_tables.h"
 #include "messages.h"
 
 #include <fmt/format.h>
@@ -26,9 +26,7 @@ bool prints_text(const OutputOptions& options) {
 }
 
 void write_table(const OutputOptions& options, const Table& table) {
-  if (!options.csv.empty() && options.csv == options.json)
-    throw InputError(
-        fmt::format("--csv and --json both name {}: give them two names", options.csv));
+  refuse_one_name(options);
   if (table.header().empty()) {
     for (const auto& [option, path] : {std::pair("--csv", options.csv), {"--json", options.json}})
       if (!path.empty())

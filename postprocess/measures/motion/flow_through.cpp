@@ -143,8 +143,8 @@ std::vector<GateCrossing> plane_crossings(const FlowGate& gate, const Vector3& b
 /// Adds what one particle's way from frame to frame contributes to a step.
 void FlowThrough::move(const Particle& particle, const State& before, const State& now, double mass,
                        const PeriodicCell& cell, FlowStep& step) const {
-  const Vector3 straight = now.centre - before.centre, way = steps_.way(before.named, now.named);
-  step.long_steps += steps_.is_doubtful(way) ? 1 : 0;
+  const Vector3 straight = now.centre - before.centre, way = steps_.way(before.place, now.place);
+  steps_.count_long(way, step.long_steps);
   const Vector3 around = straight - way; // the box, from the image at the start to that at the end
   std::vector<GateCrossing> passed;
   if (!gate_.is_bounded())
@@ -190,7 +190,7 @@ std::optional<FlowStep> FlowThrough::advance(const ParticleSet& set, const Perio
     if (!density && !(p.mass > 0.0))
       throw InputError("a flow needs a column \"mass\" with masses > 0, or --density");
     const double mass = density ? *density * body_volume(set, p) : p.mass;
-    State state{cell.wrapped(p.centre), p.centre, 0.0};
+    State state{cell.wrapped(p.centre), steps_.place(p), 0.0};
     if (gate_.triangles.empty())
       state.beyond = share_beyond(set, p, gate_.point + (p.centre - state.centre), gate_.normal);
     if (const auto before = states_.find(p.id); before != states_.end()) {

@@ -32,7 +32,7 @@ struct FlowStep {
   /// a body came around the box.
   std::optional<double> volume_share_mass;
   std::size_t appeared = 0, vanished = 0; ///< particles that the other frame does not have
-  std::size_t long_steps = 0;             ///< see FrameSteps
+  LongSteps long_steps;                   ///< see FrameSteps
   std::size_t several_times = 0;          ///< particles that passed more than once, counted once
   std::vector<std::int64_t> fresh;        ///< ids of those that appeared
   std::vector<Passage> passages;          ///< one for each particle that passed
@@ -57,7 +57,7 @@ class FlowThrough {
  private:
   struct State {
     Vector3 centre;      ///< in the box
-    Vector3 named;       ///< the same, as the file names it
+    Vector3 place;       ///< see FrameSteps
     double beyond = 0.0; ///< share of the volume
   };
   void move(const Particle& particle, const State& before, const State& now, double mass,

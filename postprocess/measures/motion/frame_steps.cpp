@@ -8,13 +8,13 @@ namespace ellipsoid::post {
 
 void FrameSteps::advance(const ParticleSet& set, const PeriodicCell& cell) {
   before_ = now_;
-  was_unwrapped_ = is_unwrapped_;
+  knew_ways_ = knows_ways_;
   now_ = cell;
-  is_unwrapped_ = set.is_unwrapped;
+  knows_ways_ = bool(set.tells_ways);
 }
 
 Vector3 FrameSteps::way(const Vector3& before, const Vector3& now) const {
-  if (!was_unwrapped_ || !is_unwrapped_)
+  if (!knew_ways_ || !knows_ways_)
     return now_.nearest(now - before);
   const Vector3 f = before_.fractions(before);
   const double shares[] = {f.x, f.y, f.z};
@@ -25,9 +25,13 @@ Vector3 FrameSteps::way(const Vector3& before, const Vector3& now) const {
   return way;
 }
 
-bool FrameSteps::is_doubtful(const Vector3& way) const {
-  constexpr double nearly_half = 0.4;
-  return !(was_unwrapped_ && is_unwrapped_) && largest_share(way) > nearly_half;
+void FrameSteps::count_long(const Vector3& way, LongSteps& steps) const {
+  constexpr double nearly_half = 0.4, half = 0.5;
+  const double share = largest_share(way);
+  if (knew_ways_ && knows_ways_)
+    steps.by_flags += share > half ? 1 : 0;
+  else
+    steps.doubtful += share > nearly_half ? 1 : 0;
 }
 
 double FrameSteps::largest_share(const Vector3& way) const {

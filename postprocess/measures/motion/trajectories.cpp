@@ -41,12 +41,12 @@ void Trajectories::move(const ParticleSet& set) {
       state = State{};
       state.first_seen = frame_;
     } else {
-      const Vector3 way = steps_.way(state.centre, p.centre);
+      const Vector3 way = steps_.way(state.place, steps_.place(p));
       state.way += way;
-      long_steps_ += steps_.is_doubtful(way) ? 1 : 0;
+      steps_.count_long(way, long_steps_);
       state.angle += rotation_between(state.orientation, p.orientation);
     }
-    state.centre = p.centre;
+    state.place = steps_.place(p);
     state.orientation = p.orientation;
     state.known = std::max(state.known, p.known_orientation); // in the order of the enumeration
     state.direction = axes_by_length(p)[0];

@@ -43,7 +43,7 @@ class Trajectories {
   LagMeans means(std::size_t lag) const;
 
   /// Steps from frame to frame that may not be the shortest ones, see FrameSteps.
-  std::size_t long_steps() const { return long_steps_; }
+  const LongSteps& long_steps() const { return long_steps_; }
 
   /// Way of a particle since it was first seen (length).
   Vector3 way(std::int64_t id) const { return states_.at(id).way; }
@@ -52,7 +52,7 @@ class Trajectories {
 
  private:
   struct State {
-    Vector3 centre; ///< as in the last frame
+    Vector3 place; ///< of the last frame, see FrameSteps
     Quaternion orientation;
     KnownOrientation known = KnownOrientation::whole; ///< the least of all frames of its way
     Vector3 way, angle;                               ///< summed up since it was first seen
@@ -67,7 +67,8 @@ class Trajectories {
   void move(const ParticleSet& set);
   void compare(const Origin& origin);
 
-  std::size_t most_, apart_, frame_ = 0, long_steps_ = 0;
+  std::size_t most_, apart_, frame_ = 0;
+  LongSteps long_steps_;
   FrameSteps steps_;
   std::map<std::int64_t, State> states_;
   std::vector<Origin> origins_;

@@ -211,6 +211,8 @@ std::vector<GapBin> gap_distribution(const ParticleSet& set, const PeriodicCell&
 
 std::vector<StructureBin> structure_factor(const ParticleSet& set, const PeriodicCell& cell,
                                            double highest, int bins) {
+  if (set.particles.empty())
+    throw InputError("there are no particles");
   if (!(cell.is_periodic(0) && cell.is_periodic(1) && cell.is_periodic(2)))
     throw InputError("a structure factor needs a box that is periodic along x, y and z");
   const double width = highest / bins;
