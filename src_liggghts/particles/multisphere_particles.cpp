@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -42,6 +43,31 @@ const FixClumpsEllipsoid& clumps(Modify* modify) {
 }
 
 constexpr const char* property_names[2] = {"subspheres", "spacing"};
+
+std::string shown(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+/// The value of a per-atom property that is a number of its own kind of thing.
+/// @throws std::invalid_argument it is no whole number, or too large for one
+int whole_value(const char* name, double value) {
+  constexpr double largest = 1e9;
+  if (!(std::fabs(value) <= largest) || value != std::floor(value))
+    throw std::invalid_argument("property/atom " + std::string(name) + " is " + shown(value) +
+                                ", allowed are whole numbers");
+  return static_cast<int>(value);
+}
+
+/// @throws std::invalid_argument there is none of this number
+ellipsoid::SphereSpacing known_spacing(int number) {
+  const auto spacing = ellipsoid::sphere_spacing_from_number(number);
+  if (!spacing)
+    throw std::invalid_argument("property/atom spacing is " + std::to_string(number) +
+                                ", allowed are " + ellipsoid::numbers_of_spacings());
+  return *spacing;
+}
 
 } // namespace
 
@@ -83,7 +109,7 @@ const ellipsoid::MultisphereBody* MultisphereParticles::body(const double* semia
     throw std::invalid_argument(
         "it is smooth (subspheres 0); give its template 'subspheres', or take "
         "surface smooth for all");
-  const auto placed = static_cast<ellipsoid::SphereSpacing>(spacing);
+  const ellipsoid::SphereSpacing placed = known_spacing(spacing);
   if (ellipsoid::is_planar(placed)) {
     entry.reset(new ellipsoid::MultisphereBody(
         ellipsoid::make_ellipsoid_spheres({aspect, 1.0, flatness}, count, placed)));
@@ -97,9 +123,9 @@ const ellipsoid::MultisphereBody* MultisphereParticles::body(const double* semia
 }
 
 const ellipsoid::MultisphereBody* MultisphereParticles::body(int i) {
-  const int count = static_cast<int>(std::lround(subspheres_->vector_atom[i]));
-  const int spacing = spacing_ ? static_cast<int>(std::lround(spacing_->vector_atom[i])) : 0;
   try {
+    const int count = whole_value(property_names[0], subspheres_->vector_atom[i]);
+    const int spacing = spacing_ ? whole_value(property_names[1], spacing_->vector_atom[i]) : 0;
     return body(atom->shape[i], count, spacing);
   } catch (const std::invalid_argument& problem) {
     error->one(FLERR,

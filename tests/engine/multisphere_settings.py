@@ -77,6 +77,21 @@ class Refusals(unittest.TestCase):
         self.refused(setup.with_particles(triaxial) + subspheres(5) + "run 0\n", "atom 1",
                      "b and c differ")
 
+    def test_values_that_set_gives(self):
+        """Neither rounded nor taken for another spacing."""
+        body = Particle((0.0, 0.0, 0.0), AXES, quaternion_of((0, 0, 1), 0.3))
+        script = (multisphere_setup().with_particles([body]) + subspheres(5) + "fix spacing all property/atom spacing scalar yes "
+                  "yes no 0\nfix motion all nve/ellipsoid\nrun 1\n")
+        for name, value, *wanted in (
+                ("subspheres", "2.5", "atom 1", "subspheres is 2.5", "whole numbers"),
+                ("subspheres", "1e12", "subspheres is 1e", "whole numbers"),
+                ("subspheres", "4", "atom 1", "odd"),
+                ("spacing", "77", "atom 1", "spacing is 77", "0 (paper)"),
+                ("spacing", "-1", "spacing is -1", "0 (paper)"),
+                ("spacing", "1.5", "spacing is 1.5", "whole numbers")):
+            with self.subTest(name=name, value=value):
+                self.refused(script + f"set group all property/atom {name} {value}\nrun 1\n", *wanted)
+
     def test_surface_of_another_pair_style(self):
         setup = Setup(pair=f"gran {LAW} {SURFACE}", atom_style="sphere")
         self.refused(setup.without_particles() + "run 0\n", "gran/ellipsoid")
