@@ -163,9 +163,10 @@ TemplateChoice set_choice(const CLI::App& command, const TemplateOptions& option
 void check_set_options(const CLI::App& command) {
   for (const char* option : {"--b", "--aspect", "--vtp", "--stl"})
     if (command.count(option) > 0)
-      throw InputError(std::string(option) +
-                       " is for chains; sets of spheres (--semiaxes, --clump, --from, --needed) do "
-                       "without it");
+      throw InputError(
+          std::string(option) +
+          " is for chains; sets of spheres (--semiaxes, --clump, --from, --needed, --ratios) "
+          "do without it");
 }
 
 int run(const CLI::App& command, TemplateOptions& options) {
@@ -233,9 +234,9 @@ void add_comparison_options(CLI::App& command, TemplateOptions& options) {
       "--compare-spacings", options.compared_tolerance,
       "table of the smallest N of each spacing within this share of area, volume and outline");
   compare->check(CLI::Range(1e-6, 0.5));
-  for (const char* other :
-       {"--b", "--subspheres", "--spacing", "--tolerance", "--measure", "--mass", "--multisphere",
-        "--molecule", "--spheres", "--vtp", "--stl", "--semiaxes", "--clump", "--from", "--needed"})
+  for (const char* other : {"--b", "--subspheres", "--spacing", "--tolerance", "--measure",
+                            "--mass", "--multisphere", "--molecule", "--spheres", "--vtp", "--stl",
+                            "--semiaxes", "--clump", "--from", "--needed", "--ratios"})
     compare->excludes(command.get_option(other));
   CLI::Option* recommend = command.add_option(
       "--recommend", options.recommended_aspect,
@@ -254,6 +255,11 @@ void refuse_idle_options_of_sets(const CLI::App& command, const TemplateOptions&
                            "--measure", "--mass", "--multisphere", "--molecule", "--spheres",
                            "--vtp", "--stl"},
                           "with --needed");
+  else if (!options.sets.ratios.empty())
+    refuse_without_effect(command,
+                          {"--aspect", "--b", "--tolerance", "--measure", "--mass", "--multisphere",
+                           "--molecule", "--spheres", "--vtp", "--stl"},
+                          "with --ratios");
   else if (options.tolerance > 0.0)
     refuse_without_effect(command, {"--subspheres"}, "with --tolerance");
   else

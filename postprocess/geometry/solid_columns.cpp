@@ -24,18 +24,21 @@ std::array<int, 2> range_of(double low, double high, double begin, double width,
           static_cast<int>(std::clamp(behind, 0.0, static_cast<double>(count)))};
 }
 
-/// Joins parts that overlap.
-void join(ColumnParts& parts) {
-  std::sort(parts.begin(), parts.end(),
-            [](const ColumnPart& a, const ColumnPart& b) { return a.from < b.from; });
-  std::size_t last = 0;
-  for (std::size_t k = 1; k < parts.size(); ++k)
-    if (parts[k].from <= parts[last].to)
-      parts[last].to = std::max(parts[last].to, parts[k].to);
-    else
-      parts[++last] = parts[k];
-  if (!parts.empty())
-    parts.resize(last + 1);
+/// Adds a part to disjoint ones in ascending order, joined with those that it overlaps.
+void join(ColumnParts& parts, ColumnPart part) {
+  const auto first = std::find_if(parts.begin(), parts.end(),
+                                  [&](const ColumnPart& p) { return p.to >= part.from; });
+  auto last = first;
+  for (; last != parts.end() && last->from <= part.to; ++last) {
+    part.from = std::min(part.from, last->from);
+    part.to = std::max(part.to, last->to);
+  }
+  if (first == last) {
+    parts.insert(first, part);
+    return;
+  }
+  *first = part;
+  parts.erase(first + 1, last);
 }
 
 /// Where the axis of a column passes a triangle.
@@ -135,12 +138,9 @@ SolidColumns sphere_columns(const ColumnGrid& grid, const SphereSet& set) {
         const double u = grid.x(i) - c.x, v = grid.y(j) - c.y;
         const double square = r * r - u * u - v * v;
         if (square > 0.0)
-          columns[index_of(grid, i, j)].push_back(
-              {c.z - std::sqrt(square), c.z + std::sqrt(square)});
+          join(columns[index_of(grid, i, j)], {c.z - std::sqrt(square), c.z + std::sqrt(square)});
       }
   }
-  for (ColumnParts& parts : columns)
-    join(parts);
   return columns;
 }
 

@@ -48,9 +48,9 @@ std::vector<SurfacePoint> union_surface_points(const SphereSet& set, int count) 
   return points;
 }
 
-bool UnionDistance::is_uncovered(const Vector3& point, std::size_t k, std::size_t l) const {
-  for (std::size_t m = 0; m < set_.radii.size(); ++m)
-    if (m != k && m != l && norm(point - set_.centres[m]) < set_.radii[m] * (1.0 - rounding))
+bool is_on_surface(const SphereSet& set, const Vector3& point) {
+  for (std::size_t m = 0; m < set.radii.size(); ++m)
+    if (norm(point - set.centres[m]) < set.radii[m] * (1.0 - rounding))
       return false;
   return true;
 }
@@ -64,7 +64,7 @@ double UnionDistance::from(const Vector3& point) const {
     if (distance >= r || distance == 0.0)
       continue;
     depth = std::max(depth, r - distance);
-    if (r - distance < nearest && is_uncovered(set_.centres[k] + (r / distance) * apart, k, k))
+    if (r - distance < nearest && is_on_surface(set_, set_.centres[k] + (r / distance) * apart))
       nearest = r - distance;
   }
   if (outside >= 0.0)
@@ -73,7 +73,28 @@ double UnionDistance::from(const Vector3& point) const {
   return nearest <= depth * (1.0 + rounding) ? nearest : from_seams(point, nearest);
 }
 
-/// The circles in which two spheres cut each other.
+namespace {
+
+/// The circle in which two spheres cut each other; radius 0 if they do not.
+struct Seam {
+  Vector3 middle, axis;
+  double radius = 0.0;
+};
+
+Seam seam_of(const SphereSet& set, std::size_t k, std::size_t l) {
+  const Vector3 apart = set.centres[l] - set.centres[k];
+  const double distance = norm(apart), r = set.radii[k], s = set.radii[l];
+  const double height = 0.5 * (distance + (r - s) * (r + s) / distance);
+  if (!(std::fabs(height) < r))
+    return {};
+  const Vector3 axis = (1.0 / distance) * apart;
+  return {set.centres[k] + height * axis, axis, std::sqrt((r - height) * (r + height))};
+}
+
+} // namespace
+
+/// The circles in which two spheres cut each other, and where a third one covers the nearest point
+/// of such a circle, the corners on it.
 double UnionDistance::from_seams(const Vector3& point, double reached) const {
   std::vector<std::size_t> near;
   for (std::size_t k = 0; k < set_.radii.size(); ++k)
@@ -81,21 +102,43 @@ double UnionDistance::from_seams(const Vector3& point, double reached) const {
       near.push_back(k);
   for (std::size_t i = 0; i < near.size(); ++i)
     for (std::size_t j = i + 1; j < near.size(); ++j) {
-      const std::size_t k = near[i], l = near[j];
-      const Vector3 apart = set_.centres[l] - set_.centres[k];
-      const double distance = norm(apart), r = set_.radii[k], s = set_.radii[l];
-      const double height = 0.5 * (distance + (r - s) * (r + s) / distance);
-      if (!(std::fabs(height) < r))
+      const Seam seam = seam_of(set_, near[i], near[j]);
+      const Vector3 across = point - seam.middle - part_along(point - seam.middle, seam.axis);
+      if (!(seam.radius > 0.0) || norm(across) == 0.0)
         continue;
-      const Vector3 axis = (1.0 / distance) * apart;
-      const Vector3 middle = set_.centres[k] + height * axis;
-      const Vector3 across = point - middle - part_along(point - middle, axis);
-      if (norm(across) == 0.0)
+      const Vector3 q = seam.middle + seam.radius * normalized(across);
+      if (norm(q - point) >= reached)
         continue;
-      const Vector3 q = middle + std::sqrt((r - height) * (r + height)) * normalized(across);
-      if (norm(q - point) < reached && is_uncovered(q, k, l))
+      reached = is_on_surface(set_, q) ? norm(q - point)
+                                       : from_corners(point, near[i], near[j], near, reached);
+    }
+  return reached;
+}
+
+double UnionDistance::from_corners(const Vector3& point, std::size_t k, std::size_t l,
+                                   const std::vector<std::size_t>& near, double reached) const {
+  const Seam seam = seam_of(set_, k, l);
+  for (const std::size_t m : near) {
+    if (m == k || m == l)
+      continue;
+    // points of the circle in the plane n . (x - middle) = height of the seam with the third sphere
+    const Vector3 apart = set_.centres[m] - set_.centres[k];
+    const double r = set_.radii[k], s = set_.radii[m];
+    const double height =
+        0.5 * (dot(apart, apart) + (r - s) * (r + s)) - dot(apart, seam.middle - set_.centres[k]);
+    const Vector3 in_plane = apart - part_along(apart, seam.axis);
+    const double slope = norm(in_plane);
+    if (slope == 0.0 || std::fabs(height) >= slope * seam.radius)
+      continue;
+    const double along = height / slope,
+                 aside = std::sqrt(seam.radius * seam.radius - along * along);
+    const Vector3 u = (1.0 / slope) * in_plane, v = cross(seam.axis, u);
+    for (const double side : {-1.0, 1.0}) {
+      const Vector3 q = seam.middle + along * u + side * aside * v;
+      if (norm(q - point) < reached && is_on_surface(set_, q))
         reached = norm(q - point);
     }
+  }
   return reached;
 }
 

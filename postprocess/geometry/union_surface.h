@@ -18,6 +18,9 @@ struct SurfacePoint {
 /// Points spread evenly over the uncovered parts of the spheres, about `count` over all spheres.
 std::vector<SurfacePoint> union_surface_points(const SphereSet& set, int count);
 
+/// Whether no sphere holds the point in its inside; one on a sphere counts as outside of it.
+bool is_on_surface(const SphereSet& set, const Vector3& point);
+
 /// Of the unit sphere: a lattice of the golden angle.
 std::vector<Vector3> unit_sphere_points(int count);
 
@@ -26,13 +29,13 @@ class UnionDistance {
  public:
   explicit UnionDistance(const SphereSet& set) : set_(set) {}
 
-  /// Exact outside, and inside where the nearest point lies on a sphere or in the seam of two
-  /// spheres; where only corners of three spheres are nearer than anything else, too large.
+  /// Exact, outside and inside.
   double from(const Vector3& point) const;
 
  private:
-  bool is_uncovered(const Vector3& point, std::size_t k, std::size_t l) const;
   double from_seams(const Vector3& point, double reached) const;
+  double from_corners(const Vector3& point, std::size_t k, std::size_t l,
+                      const std::vector<std::size_t>& near, double reached) const;
 
   const SphereSet& set_;
 };

@@ -90,19 +90,118 @@ def check_ellipsoid_sets():
                                               33)[0]["volume_ratio"]))
 
 
-def check_even_numbers():
-    """Without a sphere in the centre, mirrored, and as good as the odd numbers beside it."""
-    for spacing in ("medial", "minimax_volume"):
-        shares = []
-        for n in (23, 24, 26, 29):
-            centres, radii = spheres_of("--semiaxes", *SEMIAXES, "--subspheres", n, "--spacing", spacing)
+def check_levels():
+    """The set of N + 2 begins with that of N, centres stay; without a sphere in the centre for even N."""
+    for axes in (SEMIAXES, np.array([1.0, 1.0, 2.35]), np.array([0.4, 1.0, 1.0])):
+        sets = {n: spheres_of("--semiaxes", *axes, "--subspheres", n) for n in range(29, 37)}
+        for n, (centres, radii) in sets.items():
             assert len(radii) == n
-            assert (np.linalg.norm(centres, axis=1).min() > 1e-6) == (n % 2 == 0)
-            for mirror in ((-1, 1, 1), (1, 1, -1)):
-                apart = np.linalg.norm(centres[:, None] * mirror - centres[None], axis=2).min(1)
-                assert apart.max() < 1e-15
-            shares.append(random_share(SEMIAXES, centres, radii)[0])
-        assert shares[2] < 1.05 * shares[0] and shares[3] < 1.05 * shares[1], (spacing, shares)
+            assert (np.linalg.norm(centres, axis=1).min() > 1e-3 * axes.max()) == (n % 2 == 0)
+            assert np.linalg.norm(centres.mean(0)) < 1e-14
+            if n - 2 in sets:
+                assert np.array_equal(sets[n - 2][0], centres[:-2]) and np.array_equal(sets[n - 2][1], radii[:-2])
+    shares = [random_share(SEMIAXES, *spheres_of("--semiaxes", *SEMIAXES, "--subspheres", n))[0] for n in (23, 26)]
+    assert shares[1] < 1.05 * shares[0], shares
+
+
+def check_even_minimax():
+    """Without a sphere in the centre, mirrored, and as good as the odd numbers beside it."""
+    shares = []
+    for n in (23, 24, 26, 29):
+        centres, radii = spheres_of("--semiaxes", *SEMIAXES, "--subspheres", n, "--spacing", "minimax_volume")
+        assert len(radii) == n
+        assert (np.linalg.norm(centres, axis=1).min() > 1e-6) == (n % 2 == 0)
+        for mirror in ((-1, 1, 1), (1, 1, -1)):
+            apart = np.linalg.norm(centres[:, None] * mirror - centres[None], axis=2).min(1)
+            assert apart.max() < 1e-15
+        shares.append(random_share(SEMIAXES, centres, radii)[0])
+    assert shares[2] < 1.05 * shares[0] and shares[3] < 1.05 * shares[1], shares
+
+
+def distance_to_ellipsoid(points, axes):
+    """Of points inside or outside, (M,): the root of x^2 a^2 / (a^2 + t)^2 + ... = 1 by bisection."""
+    squares, low = axes ** 2, np.full(len(points), -(axes.min() ** 2) * (1.0 - 1e-13))
+    high = np.full(len(points), 10.0 * np.abs(points).max() * axes.max())
+    for _ in range(70):
+        middle = 0.5 * (low + high)
+        outside = ((points * axes / (squares + middle[:, None])) ** 2).sum(1) > 1.0
+        low, high = np.where(outside, middle, low), np.where(outside, high, middle)
+    foot = points * squares / (squares + 0.5 * (low + high)[:, None])
+    return np.linalg.norm(points - foot, axis=1)
+
+
+def highest(points, onto, value, width, random):
+    """Largest value found from the best 25 of the points by random steps, which become smaller."""
+    values = value(points)
+    best = np.argsort(-values)[:25]
+    points, values = points[best], values[best]
+    for _ in range(32):
+        steps = points[None] + random.normal(size=(40, *points.shape)) * width
+        tried = np.array([onto(step) for step in steps])
+        found = np.array([value(step) for step in tried])
+        which, own = found.argmax(0), np.arange(len(values))
+        better = found[which, own] > values
+        points[better], values[better] = tried[which, own][better], found[which, own][better]
+        width *= 0.7
+    return values.max()
+
+
+def largest_both_ways(axes, centres, radii):
+    """From the ellipsoid's points outside of all spheres to these, and from the spheres' uncovered points back."""
+    random = np.random.default_rng(11)
+    to_spheres = highest(sphere_points(20000) * axes, lambda p: p / np.linalg.norm(p / axes, axis=1)[:, None],
+                         lambda p: distance_to_spheres(p, centres, radii), 0.03, random)
+    to_body = 0.0
+    for k, (centre, radius) in enumerate(zip(centres, radii)):
+        others = np.arange(len(radii)) != k
+
+        def onto(points):
+            apart = points - centre
+            return centre + radius * apart / np.linalg.norm(apart, axis=1)[:, None]
+
+        def value(points):
+            free = ~in_union(points, centres[others], radii[others] * (1.0 - 1e-12))
+            apart = np.full(len(points), -1.0)
+            if free.any():
+                apart[free] = distance_to_ellipsoid(points[free], axes)
+            return apart
+
+        points = centre + radius * sphere_points(3000)
+        if value(points).max() > 0.95 * to_body:
+            to_body = max(to_body, highest(points, onto, value, 0.03, random))
+    return to_spheres, to_body
+
+
+def check_largest():
+    """Largest distances, both ways, to 3e-4 of themselves; the last set sticks out, as much as it leaves."""
+    for axes, n, spacing in ((np.array([2.5, 1.75, 1.0]), 45, "medial"), (np.array([1.0, 2.35, 1.0]), 13, "medial"),
+                             (np.array([1.75, 1.0, 2.5]), 13, "minimax_volume")):
+        arguments = ("--semiaxes", *axes, "--subspheres", n, "--spacing", spacing)
+        (row,) = rows_of("template", *arguments)
+        centres, radii = spheres_of(*arguments)
+        to_spheres, to_body = largest_both_ways(axes, centres, radii)
+        for name, truth in (("largest_to_spheres_c", to_spheres), ("largest_to_body_c", to_body)):
+            assert abs(float(row[name]) / truth - 1.0) < 3e-4, (axes, name, row[name], truth)
+
+
+def check_means_of_minimax():
+    """Points of the ellipsoid in spheres are as far as the nearest point of the surface, no farther than the largest."""
+    axes = np.array([2.5, 1.75, 1.0])
+    arguments = ("--semiaxes", *axes, "--subspheres", 13, "--spacing", "minimax_volume")
+    (row,) = rows_of("template", *arguments)
+    centres, radii = spheres_of(*arguments)
+    surface = []
+    for k, (centre, radius) in enumerate(zip(centres, radii)):
+        points, others = centre + radius * sphere_points(12000), np.arange(13) != k
+        surface.append(points[~in_union(points, centres[others], radii[others])])
+    surface = np.concatenate(surface)
+    sphere = sphere_points(1500)
+    body, weights = sphere * axes, np.linalg.norm(sphere / axes, axis=1)
+    apart, inside = distances_from(body, surface), in_union(body, centres, radii)
+    apart[~inside] = distance_to_spheres(body[~inside], centres, radii)
+    mean = np.average(apart, weights=weights)  # inside too large, by the points' distances from each other
+    assert 0.96 * mean < float(row["mean_to_spheres_c"]) < 1.005 * mean, (row, mean)
+    assert apart.max() - 0.01 < float(row["largest_to_spheres_c"]), (row, apart.max())
 
 
 def section_outline(centres, radii, axes):
@@ -447,7 +546,10 @@ def check_bad_surfaces():
 
 
 check_ellipsoid_sets()
-check_even_numbers()
+check_levels()
+check_even_minimax()
+check_largest()
+check_means_of_minimax()
 check_roughness()
 check_tolerance()
 check_lists()

@@ -1,8 +1,16 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "ellipsoid_counts.h"
+#include "input_error.h"
+#include "messages.h"
+#include "multisphere/ellipsoid_spheres.h"
+#include "set_comparison.h"
 #include "sphere_sets.h"
 
+#include <cstdio>
+#include <fmt/format.h>
 #include <stdexcept>
+#include <unistd.h>
+#include <utility>
 
 namespace ellipsoid::post {
 namespace {
@@ -16,22 +24,76 @@ Value number_needed(const Vector3& semiaxes, SphereSpacing spacing, double share
   }
 }
 
+/// On a terminal: which cell is being computed.
+void show_progress(double b, double c) {
+  if (isatty(STDERR_FILENO) == 0)
+    return;
+  fmt::print(stderr, "\r{:70}\rb/a = {:g}, c/a = {:g}", "", b, c);
+  std::fflush(stderr);
+}
+
+void clear_progress() {
+  if (isatty(STDERR_FILENO) != 0)
+    fmt::print(stderr, "\r{:70}\r", "");
+}
+
+/// Shapes a = 1 >= b >= c < a of these ratios.
+std::vector<Vector3> shapes_of(const std::vector<double>& ratios) {
+  std::vector<Vector3> shapes;
+  for (const double b : ratios)
+    for (const double c : ratios)
+      if (c <= b && c < 1.0)
+        shapes.push_back({1.0, b, c});
+  if (shapes.empty())
+    throw InputError(
+        "--ratios: no ratio is below 1, and a = b = c is a sphere: give a smaller one");
+  return shapes;
+}
+
+Row shape_columns(const Vector3& shape) {
+  return {{"shape", "a : b : c", "", fmt::format("1 : {:g} : {:g}", shape.y, shape.z)},
+          {"b_a", "b/a", "", shape.y},
+          {"c_a", "c/a", "", shape.z}};
+}
+
 } // namespace
 
 Table needed_table(double share, const std::vector<double>& ratios) {
   Table table{"Sub-spheres needed", {}};
-  for (const double b : ratios)
-    for (const double c : ratios) {
-      if (c > b || c >= 1.0)
+  for (const Vector3& shape : shapes_of(ratios)) {
+    show_progress(shape.y, shape.z);
+    table.rows.push_back(
+        {{"b_a", "b/a", "", shape.y},
+         {"c_a", "c/a", "", shape.z},
+         {"medial", "medial", "", number_needed(shape, SphereSpacing::medial, share)},
+         {"minimax_volume", "minimax_volume", "",
+          number_needed(shape, SphereSpacing::minimax_volume, share)}});
+  }
+  clear_progress();
+  return table;
+}
+
+Table ratio_table(const std::vector<double>& ratios, const std::vector<int>& counts,
+                  SphereSpacing spacing) {
+  Table table{"Sets of spheres over b/a and c/a", {}};
+  for (const Vector3& shape : shapes_of(ratios))
+    for (const int count : counts) {
+      show_progress(shape.y, shape.z);
+      Row row = shape_columns(shape);
+      row.push_back({"subspheres", "N", "", static_cast<std::int64_t>(count)});
+      row.push_back({"spacing", "spacing", "", word_of(spacing)});
+      try {
+        append_comparison(row, make_ellipsoid_spheres(shape, count, spacing),
+                          {solid_ellipsoid(shape), shape.z, "c", shape});
+      } catch (const std::invalid_argument& error) {
+        report_warning(error.what());
         continue;
-      const Vector3 semiaxes{1.0, b, c};
-      table.rows.push_back(
-          {{"b_a", "b/a", "", b},
-           {"c_a", "c/a", "", c},
-           {"medial", "medial", "", number_needed(semiaxes, SphereSpacing::medial, share)},
-           {"minimax_volume", "minimax_volume", "",
-            number_needed(semiaxes, SphereSpacing::minimax_volume, share)}});
+      }
+      table.rows.push_back(std::move(row));
     }
+  clear_progress();
+  if (table.rows.empty())
+    throw InputError("none of these templates can be built");
   return table;
 }
 

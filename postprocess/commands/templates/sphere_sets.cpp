@@ -8,6 +8,7 @@
 #include "multisphere/ellipsoid_spheres.h"
 #include "multisphere/sphere_list.h"
 #include "multisphere/union_measures.h"
+#include "set_comparison.h"
 #include "space_picture.h"
 #include "sphere_set_measures.h"
 #include "stl_mesh.h"
@@ -31,14 +32,6 @@ constexpr double far_beyond = 0.1;
 struct NamedSet {
   std::string source, spacing;
   SphereSet spheres;
-};
-
-/// What all sets of a call are compared with, and the length that is the unit of distances.
-struct Target {
-  std::optional<Solid> solid;
-  double unit = 1.0;
-  std::string unit_name; ///< "c", the smallest semi-axis, or "r_V", of the ball of equal volume
-  std::optional<Vector3> semiaxes; ///< of an ellipsoid
 };
 
 std::string text_of_file(const std::string& path) {
@@ -186,35 +179,6 @@ Row measures_row(const UnionMeasures& m) {
       {"inertia_yz_m5", "I_yz", "m5", m.inertia.yz}};
 }
 
-void append_comparison(Row& row, const UnionMeasures& m, const SphereSet& set,
-                       const Target& target) {
-  const Solid& solid = *target.solid;
-  const OutlineDistances d = outline_distances(set, solid);
-  const auto length = [&](const char* key, const char* name, double value) {
-    row.push_back(
-        {std::string(key) + "_" + target.unit_name, name, target.unit_name, value / target.unit});
-  };
-  row.push_back({"volume_ratio", "volume ratio", "", m.volume / solid.volume});
-  row.push_back({"surface_ratio", "surface ratio", "", m.surface / solid.surface});
-  row.push_back({"in_exactly_one", "volume in exactly one", "",
-                 share_in_exactly_one(set, solid, comparison_columns)});
-  length("largest_to_spheres", "outline to spheres, largest", d.largest_to_spheres);
-  length("mean_to_spheres", "outline to spheres, mean", d.mean_to_spheres);
-  length("rms_to_spheres", "outline to spheres, rms", d.rms_to_spheres);
-  length("largest_to_body", "spheres to outline, largest", d.largest_to_solid);
-  length("mean_to_body", "spheres to outline, mean", d.mean_to_solid);
-  length("rms_to_body", "spheres to outline, rms", d.rms_to_solid);
-  if (target.semiaxes) {
-    const SectionFactors factors = section_factors(set, *target.semiaxes);
-    row.push_back({"area_shape_factor", "sf_A (26)", "", factors.area});
-    row.push_back({"perimeter_shape_factor", "sf_P (27)", "", factors.perimeter});
-  }
-  row.push_back({"inertia_xx_ratio", "I_xx ratio", "", m.inertia.xx / solid.inertia.xx});
-  row.push_back({"inertia_yy_ratio", "I_yy ratio", "", m.inertia.yy / solid.inertia.yy});
-  row.push_back({"inertia_zz_ratio", "I_zz ratio", "", m.inertia.zz / solid.inertia.zz});
-  length("centre_distance", "distance of the centres", norm(m.centre - solid.centre));
-}
-
 Table table_of(const std::vector<NamedSet>& sets, const Target& target) {
   Table table{"Sets of spheres", {}};
   for (const NamedSet& set : sets) {
@@ -225,7 +189,7 @@ Table table_of(const std::vector<NamedSet>& sets, const Target& target) {
     const Row measures = measures_row(m);
     row.insert(row.end(), measures.begin(), measures.end());
     if (target.solid)
-      append_comparison(row, m, set.spheres, target);
+      append_comparison(row, set.spheres, target);
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -267,12 +231,16 @@ bool has_files(const SetOptions& options, const TemplateChoice& choice) {
 }
 
 int run_needed(const SetOptions& options, const OutputOptions& output) {
-  const Table table = needed_table(options.needed_within, options.ratios);
+  const std::vector<double> usual{0.2, 0.4, 0.6, 0.8, 1.0};
+  const Table table =
+      needed_table(options.needed_within, options.ratios.empty() ? usual : options.ratios);
   write_table(output, table);
-  if (!options.map.empty())
-    write_text(options.map,
-               draw_map(picture_format(options.map), table,
-                        {"b_a", "", {"c_a"}, "medial", "N needed, spacing medial"}, 700, 560));
+  if (options.map.empty())
+    return exit_good;
+  const TableChart what{"b_a", "", {"c_a"}, "medial", "N needed, spacing medial"};
+  write_text(options.map, draw_map(picture_format(options.map), table, what, 700, 560));
+  if (const std::string words = left_out_of_map(table, what); !words.empty())
+    report_warning(words);
   return exit_good;
 }
 
@@ -295,6 +263,10 @@ Target target_of(const SetOptions& options, const std::optional<MeshClumps>& clu
 int run_sets(const SetOptions& options, const TemplateChoice& choice, OutputOptions output) {
   if (options.needed_within > 0.0)
     return run_needed(options, output);
+  if (!options.ratios.empty()) {
+    write_table(output, ratio_table(options.ratios, choice.counts, spacing_of(choice)));
+    return exit_good;
+  }
   std::optional<MeshClumps> clumps;
   if (!options.mesh.empty())
     clumps.emplace(checked_closed(read_stl(options.mesh), options.mesh));
@@ -334,15 +306,15 @@ void add_set_options(CLI::App& command, SetOptions& options) {
                          "table of the N needed to come within this share of the volume, over b/a "
                          "and c/a, for medial and minimax_volume");
   needed->check(CLI::Range(1e-4, 0.5));
-  command.add_option("--ratios", options.ratios, "of --needed: values of b/a and c/a")
-      ->delimiter(',')
-      ->check(CLI::Range(0.01, 1.0))
-      ->capture_default_str()
-      ->needs(needed);
+  CLI::Option* ratios =
+      command.add_option("--ratios", options.ratios,
+                         "values of b/a and c/a: with --needed the rows of its table (without: "
+                         "0.2,0.4,0.6,0.8,1), else a table of --subspheres over all pairs");
+  ratios->delimiter(',')->check(CLI::Range(0.01, 1.0));
   command.add_option("--map", options.map, "of --needed: draw N of medial, SVG or PNG")
       ->needs(needed);
   for (const char* other : {"--semiaxes", "--clump", "--from", "--picture"})
-    needed->excludes(command.get_option(other));
+    needed->excludes(command.get_option(other)), ratios->excludes(command.get_option(other));
   command.get_option("--from")->excludes(command.get_option("--semiaxes"));
 }
 

@@ -194,6 +194,7 @@ Solid solid_of(const std::vector<Triangle3>& triangles,
     solid.points.push_back({point.position, m.surface / outline_points});
   solid.columns = [triangles](const ColumnGrid& grid) { return mesh_columns(grid, triangles); };
   solid.distance = [tree](const Vector3& p) { return norm(tree->nearest(p) - p); };
+  solid.onto = [tree](const Vector3& p) { return tree->nearest(p); };
   return solid;
 }
 

@@ -3,12 +3,16 @@
 
 #include "disc_union.h"
 #include "ellipsoid/ellipsoid_properties.h"
+#include "farthest_points.h"
 #include "multisphere/multisphere_template.h"
 #include "wall/surface_points.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
 
 namespace ellipsoid::post {
 namespace {
@@ -16,9 +20,11 @@ namespace {
 constexpr double pi = 3.141592653589793238462643;
 constexpr int surface_points = 12000;
 
-/// Of the distances of points, weighted with their areas (length).
+/// Distances of points, with means weighted with their areas (length).
 struct DistanceSummary {
-  double largest = 0.0, mean = 0.0, rms = 0.0;
+  std::vector<double> all;
+  double mean = 0.0, rms = 0.0;
+  double spacing = 0.0; ///< of neighbouring points
 };
 
 DistanceSummary add_up(const std::vector<SurfacePoint>& points,
@@ -27,7 +33,7 @@ DistanceSummary add_up(const std::vector<SurfacePoint>& points,
   double area = 0.0, sum = 0.0, squares = 0.0;
   for (const SurfacePoint& point : points) {
     const double d = distance(point.position);
-    found.largest = std::max(found.largest, d);
+    found.all.push_back(d);
     sum += point.area * d;
     squares += point.area * d * d;
     area += point.area;
@@ -35,8 +41,75 @@ DistanceSummary add_up(const std::vector<SurfacePoint>& points,
   if (area > 0.0) {
     found.mean = sum / area;
     found.rms = std::sqrt(squares / area);
+    found.spacing = std::sqrt(area / static_cast<double>(points.size()));
   }
   return found;
+}
+
+std::vector<Vector3> positions_of(const std::vector<SurfacePoint>& points) {
+  std::vector<Vector3> positions;
+  for (const SurfacePoint& point : points)
+    positions.push_back(point.position);
+  return positions;
+}
+
+/// The spheres that come this near to a point.
+SphereSet near_spheres(const SphereSet& set, const Vector3& point, double distance) {
+  SphereSet near;
+  for (std::size_t k = 0; k < set.radii.size(); ++k)
+    if (norm(point - set.centres[k]) - set.radii[k] < distance) {
+      near.centres.push_back(set.centres[k]);
+      near.radii.push_back(set.radii[k]);
+    }
+  return near;
+}
+
+/// From points of the solid's surface to the spheres.
+double largest_to_spheres(const SphereSet& set, const Solid& solid,
+                          const DistanceSummary& samples) {
+  const std::vector<Vector3> points = positions_of(solid.points);
+  std::vector<Climb> climbs;
+  for (const std::size_t k : largest_samples(points, samples.all, samples.spacing)) {
+    // whatever decides the distance of a point that the climb can reach
+    const auto near = std::make_shared<const SphereSet>(
+        near_spheres(set, points[k], samples.all[k] + 2.0 * reach_of_climb * samples.spacing));
+    climbs.push_back({points[k], samples.all[k], solid.onto,
+                      [near](const Vector3& p) { return UnionDistance(*near).from(p); }});
+  }
+  return highest(std::move(climbs), samples.spacing);
+}
+
+/// The sphere on whose surface a point lies.
+std::size_t sphere_of(const SphereSet& set, const Vector3& point) {
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < set.radii.size(); ++k)
+    if (const double d = std::fabs(norm(point - set.centres[k]) - set.radii[k]); d < least) {
+      least = d;
+      nearest = k;
+    }
+  return nearest;
+}
+
+/// From points of the spheres' uncovered parts to the solid's surface.
+double largest_to_solid(const SphereSet& set, const Solid& solid,
+                        const std::vector<SurfacePoint>& surface, const DistanceSummary& samples) {
+  const std::vector<Vector3> points = positions_of(surface);
+  std::vector<Climb> climbs;
+  for (const std::size_t k : largest_samples(points, samples.all, samples.spacing)) {
+    const std::size_t own = sphere_of(set, points[k]);
+    const Vector3 centre = set.centres[own];
+    const double radius = set.radii[own];
+    const auto near = std::make_shared<const SphereSet>(
+        near_spheres(set, points[k], reach_of_climb * samples.spacing));
+    climbs.push_back(
+        {points[k], samples.all[k],
+         [centre, radius](const Vector3& p) { return centre + radius * normalized(p - centre); },
+         [near, distance = solid.distance](const Vector3& p) {
+           return is_on_surface(*near, p) ? distance(p) : -1.0;
+         }});
+  }
+  return highest(std::move(climbs), samples.spacing);
 }
 
 double distance_from_ellipsoid(const Vector3& s, const Vector3& point) {
@@ -61,6 +134,9 @@ Solid solid_ellipsoid(const Vector3& s) {
   }
   solid.columns = [s](const ColumnGrid& grid) { return ellipsoid_columns(grid, s); };
   solid.distance = [s](const Vector3& point) { return distance_from_ellipsoid(s, point); };
+  solid.onto = [s](const Vector3& p) {
+    return (1.0 / norm(Vector3{p.x / s.x, p.y / s.y, p.z / s.z})) * p;
+  };
   return solid;
 }
 
@@ -81,13 +157,13 @@ OutlineDistances outline_distances(const SphereSet& set, const Solid& solid) {
   const UnionDistance from_spheres(set);
   const DistanceSummary to_spheres =
       add_up(solid.points, [&](const Vector3& p) { return from_spheres.from(p); });
-  const DistanceSummary to_solid =
-      add_up(union_surface_points(set, 4 * surface_points), solid.distance);
+  const std::vector<SurfacePoint> surface = union_surface_points(set, 4 * surface_points);
+  const DistanceSummary to_solid = add_up(surface, solid.distance);
   OutlineDistances found;
-  found.largest_to_spheres = to_spheres.largest;
+  found.largest_to_spheres = largest_to_spheres(set, solid, to_spheres);
   found.mean_to_spheres = to_spheres.mean;
   found.rms_to_spheres = to_spheres.rms;
-  found.largest_to_solid = to_solid.largest;
+  found.largest_to_solid = largest_to_solid(set, solid, surface, to_solid);
   found.mean_to_solid = to_solid.mean;
   found.rms_to_solid = to_solid.rms;
   return found;

@@ -20,14 +20,15 @@ struct Solid {
   std::vector<SurfacePoint> points; ///< of its surface
   std::function<SolidColumns(const ColumnGrid&)> columns;
   std::function<double(const Vector3&)> distance; ///< from its surface, >= 0 (length)
+  std::function<Vector3(const Vector3&)> onto;    ///< a point of its surface near the one given
 };
 
 /// About the origin, semi-axes along x, y, z.
 Solid solid_ellipsoid(const Vector3& semiaxes);
 
-/// Distances between two outlines (length). The largest ones are taken over some ten thousand
-/// points and may be too small: by terms of second order in the distance between neighbouring
-/// points.
+/// Distances between two outlines (length). Means and root-mean-squares are sums over some ten
+/// thousand points; from the largest of these the largest distances are searched, to 1e-4 of
+/// themselves.
 struct OutlineDistances {
   double largest_to_spheres = 0.0, mean_to_spheres = 0.0; ///< from points of the solid's surface
   double largest_to_solid = 0.0, mean_to_solid = 0.0;     ///< from points of the spheres'

@@ -131,6 +131,31 @@ std::vector<int> connected_parts(const SphereSet& set) {
   return parts;
 }
 
+int connected_count(const SphereSet& set, int from, int step) {
+  std::vector<std::size_t> root; // of each sphere; roots are their own
+  const auto root_of = [&root](std::size_t k) {
+    while (root[k] != k)
+      k = root[k] = root[root[k]];
+    return k;
+  };
+  int parts = 0, next = from;
+  for (std::size_t k = 0; k < set.centres.size(); ++k) {
+    root.push_back(k);
+    ++parts;
+    for (std::size_t l = 0; l < k; ++l)
+      if (root_of(l) != root_of(k) && are_connected(set, k, l)) {
+        root[root_of(l)] = root_of(k);
+        --parts;
+      }
+    if (static_cast<int>(k) + 1 < next)
+      continue;
+    if (parts == 1)
+      return next;
+    next += step;
+  }
+  return 0;
+}
+
 void check_connected(const SphereSet& set) {
   const std::vector<int> parts = connected_parts(set);
   const int count = 1 + *std::max_element(parts.begin(), parts.end());

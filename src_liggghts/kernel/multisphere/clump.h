@@ -43,6 +43,9 @@ void check_spheres(const SphereSet& set);
 /// first sphere; spheres that touch or overlap are connected.
 std::vector<int> connected_parts(const SphereSet& set);
 
+/// Smallest n of from, from + step, ... so that the first n spheres are connected; 0 if none is.
+int connected_count(const SphereSet& set, int from, int step);
+
 /// @throws std::invalid_argument the spheres are not one connected body: how many parts, the first
 ///         sphere (from 1) that is apart, and its gap to the part of the first sphere
 void check_connected(const SphereSet& set);

@@ -51,10 +51,11 @@ std::array<int, 3> descending(const Vector3& semiaxes) {
   return order;
 }
 
-/// All images in the body's frame.
+/// All images in the body's frame; the second one of four lies opposite the first, so that a half
+/// of them keeps the centre.
 void append(SphereSet& set, const MirroredSphere& sphere, const std::array<int, 3>& order,
             double scale) {
-  for (int image = 0; image < 4; ++image) {
+  for (const int image : {0, 3, 1, 2}) {
     const bool at_left = image % 2 == 1, at_back = image / 2 == 1;
     if ((at_left && !(sphere.x > 0.0)) || (at_back && !(sphere.y > 0.0)))
       continue;
@@ -73,9 +74,11 @@ SphereSet planar_set(const Vector3& semiaxes, int count, SphereSpacing spacing) 
   const SortedSemiaxes sorted{1.0, axes[order[1]] / scale, axes[order[2]] / scale};
   SphereSet set;
   for (const MirroredSphere& sphere : spacing == SphereSpacing::medial
-                                          ? medial_spheres(sorted, count)
+                                          ? medial_levels(sorted, count)
                                           : minimax_volume_spheres(sorted, count))
     append(set, sphere, order, scale);
+  set.centres.resize(static_cast<std::size_t>(count)); // of the last four
+  set.radii.resize(static_cast<std::size_t>(count));
   return set;
 }
 
@@ -87,16 +90,47 @@ bool holds_centre(const SphereSet& set) {
   return false;
 }
 
-/// A larger N of the same parity that gives one body, within a fifth of the smallest; 0 if none.
-int connected_count(const Vector3& semiaxes, int count, SphereSpacing spacing) {
-  for (int n = count + 2; n <= largest_count_of(spacing); n += std::max(2, n / 10 * 2))
-    if (is_one_body(planar_set(semiaxes, n, spacing)))
-      return n;
-  return 0;
+/// Of the next levels of `medial` the first one that is one body; 0 if none.
+int next_whole_level(const Vector3& semiaxes, int count) {
+  const int most = largest_set_count - (largest_set_count - count) % 2;
+  const int parity = count % 2;
+  for (int last = std::min(2 * count + 64 + parity, most);;
+       last = std::min(2 * last - parity, most)) {
+    const SphereSet set = planar_set(semiaxes, last, SphereSpacing::medial);
+    for (int n = connected_count(set, count + 2, 2); n > 0; n = connected_count(set, n + 2, 2)) {
+      SphereSet level{set.centres, set.radii};
+      level.centres.resize(static_cast<std::size_t>(n));
+      level.radii.resize(static_cast<std::size_t>(n));
+      if (holds_centre(level))
+        return n;
+    }
+    if (last == most)
+      return 0;
+  }
+}
+
+/// A larger N of the same parity that gives one body, N - 2 does not; 0 if none was found.
+int next_whole_count(const Vector3& semiaxes, int count, SphereSpacing spacing) {
+  if (spacing == SphereSpacing::medial)
+    return next_whole_level(semiaxes, count);
+  const auto is_whole = [&](int n) { return is_one_body(planar_set(semiaxes, n, spacing)); };
+  const int most = largest_count_of(spacing) - (largest_count_of(spacing) - count) % 2;
+  int low = count, high = count;
+  for (int step = 2; !(high > count && is_whole(high)); step *= 2) {
+    if (high == most)
+      return 0;
+    low = high;
+    high = std::min(high + step, most);
+  }
+  while (high - low > 2) {
+    const int middle = low + (high - low) / 4 * 2;
+    (is_whole(middle) ? high : low) = middle;
+  }
+  return high;
 }
 
 [[noreturn]] void refuse_apart(const Vector3& semiaxes, int count, SphereSpacing spacing) {
-  const int enough = connected_count(semiaxes, count, spacing);
+  const int enough = next_whole_count(semiaxes, count, spacing);
   refuse("with N = " + std::to_string(count) + " sub-spheres of spacing " + word_of(spacing) +
          " at semi-axes " + text_of(semiaxes) + " the spheres are not one body about the centre; " +
          (enough > 0 ? "N = " + std::to_string(enough) + " is enough"

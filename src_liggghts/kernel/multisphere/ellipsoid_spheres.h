@@ -14,17 +14,21 @@
 namespace ellipsoid {
 
 /// The set of N spheres, centred on the origin, semi-axes along the body's x, y, z in any order of
-/// size; it has the ellipsoid's three planes of symmetry, so that centre and principal axes are
-/// the ellipsoid's. The same numbers for the same arguments; scales with the unit of length.
+/// size. The same numbers for the same arguments; scales with the unit of length.
 ///
 /// `medial`: inscribed spheres, the centre first, then always where the gap to the ellipsoid is
-/// largest, in pairs on the ellipse's axes and in fours elsewhere; each level holds the last one.
-/// If four are next and two are left to place, the best pair on an axis is taken. For an even N it
-/// is the set of N - 1 with a pair on the longest axis instead of the centre sphere, as far apart
-/// as the largest gap stays within 1.25 times the smallest possible one. `minimax_volume`: from
-/// there centres in the same plane and radii, for which the volume in exactly one of body and
-/// ellipsoid is smallest (a local minimum). All other spacings are make_multisphere()'s: a > b = c,
-/// a along the body's x.
+/// largest, in pairs on the ellipse's axes and in fours elsewhere, a four as two pairs of which
+/// each lies opposite about the centre. The set of N + 2 begins with that of N, for all N. An even
+/// N has no sphere in the centre: it begins with a pair on the longest axis, as far apart as the
+/// largest gap stays within 1.25 times the smallest possible one, and a pair there divides what
+/// lies between the two innermost ones into three when the gap at the shortest axis is the largest.
+/// Sets have the ellipsoid's three planes of symmetry but where N cuts a four: then the plane of
+/// the two larger semi-axes and the centre.
+///
+/// `minimax_volume`: from inscribed spheres centres in the same plane and radii, for which the
+/// volume in exactly one of body and ellipsoid is smallest (a local minimum), with the three planes
+/// of symmetry, so that centre and principal axes are the ellipsoid's. All other spacings are
+/// make_multisphere()'s: a > b = c, a along the body's x.
 /// @param[in] count N up to largest_set_count (largest_sphere_count for others than `medial`); odd
 ///            for chains
 /// @throws std::invalid_argument one line: what, value, allowed range, remedy

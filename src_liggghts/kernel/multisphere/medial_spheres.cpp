@@ -102,7 +102,7 @@ MirroredSphere pair_for_centre(const std::vector<Candidate>& candidates,
   const std::vector<Candidate> open = left_by_centre(candidates, placed, floor);
   std::vector<std::pair<MirroredSphere, double>> pairs; // with the gaps they leave
   for (const Candidate& pair : candidates) {
-    if (!(pair.sphere.x > 0.0) || pair.sphere.y > 0.0 || is_placed(pair.sphere, placed))
+    if (!(pair.sphere.x > 0.0) || pair.touching.y > 0.0 || is_placed(pair.sphere, placed))
       continue;
     double gap = floor;
     for (const Candidate& candidate : open)
@@ -117,6 +117,37 @@ MirroredSphere pair_for_centre(const std::vector<Candidate>& candidates,
   return best;
 }
 
+/// All candidates of the plane of the longest and the shortest axis, and one in seven of the
+/// others, which are as many as the gap of a pair needs.
+std::vector<Candidate> some_with_gaps(const std::vector<Candidate>& candidates,
+                                      const MirroredSphere& sphere) {
+  std::vector<Candidate> some;
+  for (std::size_t k = 0; k < candidates.size(); ++k)
+    if (k % 7 == 0 || !(candidates[k].touching.y > 0.0))
+      some.push_back(candidates[k]);
+  update_gaps(some, sphere);
+  return some;
+}
+
+/// Whether no gap is larger than the one at the ellipsoid's shortest axis, the first candidate.
+bool is_largest_at_centre(const std::vector<Candidate>& candidates) {
+  return std::none_of(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
+    return candidate.gap > candidates.front().gap * (1.0 + equal_gaps);
+  });
+}
+
+/// A pair on the longest axis that divides what lies between the two innermost spheres there into
+/// three: their touching points come as near to the centre as a third of those spheres'.
+MirroredSphere pair_within(const SortedSemiaxes& axes, const std::vector<MirroredSphere>& placed) {
+  double innermost = std::numeric_limits<double>::infinity();
+  for (const MirroredSphere& sphere : placed)
+    if (sphere.x > 0.0 && !(sphere.y > 0.0))
+      innermost = std::min(innermost, sphere.x);
+  const double reach = (axes.a - axes.c) * (axes.a + axes.c) / axes.a; // centre per touching point
+  const double w = innermost / reach / 3.0;
+  return inscribed_sphere(axes, {w, 0.0, std::sqrt(1.0 - w * w)});
+}
+
 } // namespace
 
 MirroredSphere inscribed_sphere(const SortedSemiaxes& axes, const Vector3& w) {
@@ -127,7 +158,21 @@ MirroredSphere inscribed_sphere(const SortedSemiaxes& axes, const Vector3& w) {
   return {p * w.x, q * w.y, axes.c * std::sqrt(u * u + v * v + w.z * w.z)};
 }
 
-std::vector<MirroredSphere> medial_spheres(const SortedSemiaxes& axes, int count) {
+std::vector<MirroredSphere> medial_levels(const SortedSemiaxes& axes, int count) {
+  std::vector<Candidate> candidates = candidates_on(axes);
+  std::vector<MirroredSphere> placed{{0.0, 0.0, axes.c}};
+  if (count % 2 == 0)
+    placed.front() = pair_for_centre(some_with_gaps(candidates, placed.front()), placed);
+  update_gaps(candidates, placed.back());
+  for (int left = count - placed.back().count(); left > 0; left -= placed.back().count()) {
+    const bool is_at_centre = count % 2 == 0 && is_largest_at_centre(candidates);
+    placed.push_back(is_at_centre ? pair_within(axes, placed) : next_of(candidates, 4).sphere);
+    update_gaps(candidates, placed.back());
+  }
+  return placed;
+}
+
+std::vector<MirroredSphere> mirrored_medial_spheres(const SortedSemiaxes& axes, int count) {
   std::vector<Candidate> candidates = candidates_on(axes);
   std::vector<MirroredSphere> placed{{0.0, 0.0, axes.c}};
   update_gaps(candidates, placed.back());

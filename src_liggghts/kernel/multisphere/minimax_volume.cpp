@@ -255,7 +255,7 @@ std::vector<MirroredSphere> largest_gains(const SortedSemiaxes& axes, int count,
 
 std::vector<MirroredSphere> minimax_volume_spheres(const SortedSemiaxes& axes, int count) {
   std::vector<Ray> rays = rays_over(axes, directions_of_any + directions_per_sphere * count / 4);
-  std::vector<MirroredSphere> relaxed = medial_spheres(axes, count);
+  std::vector<MirroredSphere> relaxed = mirrored_medial_spheres(axes, count);
   for (int i = 0; i < relaxations; ++i) {
     if (i % 4 == 0)
       find_near(rays, relaxed);
