@@ -87,9 +87,27 @@ def check_needed(text):
                 assert number(cell) < number(needed_cells(text, "medial")[b, c]), (b, c)
 
 
+def check_ratios(text):
+    """Rows of the tables of 65 spheres, as the command prints them."""
+    keys = ("volume_ratio", "surface_ratio", "largest_to_spheres_c", "mean_to_spheres_c", "largest_to_body_c",
+            "mean_to_body_c", "inertia_xx_ratio", "inertia_yy_ratio", "inertia_zz_ratio")
+    for spacing in ("medial", "minimax_volume"):
+        table = next(t for t in tables(text) if t[0][0] == f"a : b : c, {spacing}")
+        rows = {row["shape"]: row for row in rows_of("template", "--ratios", "0.2,0.4,0.6,0.8,1", "--subspheres", 65,
+                                                     "--spacing", spacing)}
+        assert len(table) == 15 and len(rows) >= 11, (spacing, len(table), len(rows))
+        for shape, *cells in table[1:]:
+            expected = ["-"] * 10
+            if shape in rows:
+                expected = [f"{100 * float(rows[shape]['in_exactly_one']):.2f}"]
+                expected += [f"{float(rows[shape][key]):.4f}" for key in keys]
+            assert cells == expected, (shape, cells, expected)
+
+
 def main():
     text, sets = PAGE.read_text().split("## Sets of spheres", 1)
     check_needed(sets)
+    check_ratios(sets)
     comparison, geometry = (rows_of(*command) for command in commands(text))
     found = complaints(text, comparison, geometry)
     assert not found, "\n".join(found)

@@ -3,6 +3,8 @@
 
 Oracles are random points, points of surfaces and sums over triangles, all in numpy.
 """
+import csv
+import io
 import os
 import struct
 
@@ -185,7 +187,7 @@ def check_largest():
 
 
 def check_means_of_minimax():
-    """Points of the ellipsoid in spheres are as far as the nearest point of the surface, no farther than the largest."""
+    """Points of the ellipsoid in spheres are as far as the nearest point of the spheres' uncovered parts."""
     axes = np.array([2.5, 1.75, 1.0])
     arguments = ("--semiaxes", *axes, "--subspheres", 13, "--spacing", "minimax_volume")
     (row,) = rows_of("template", *arguments)
@@ -283,6 +285,31 @@ def check_roughness_in_space():
     assert abs(float(row["rms_to_body_c"]) / back - 1.0) < 0.03, (row, back)
 
 
+def check_ratios():
+    """Rows of the table over b/a and c/a are those of --semiaxes; sets that are not one body are left out."""
+    text, warnings = post("template", "--ratios", "0.3,1,0.6", "--subspheres", "17,34", "--csv", "-")
+    rows = list(csv.DictReader(io.StringIO(text)))
+    shapes = [(0.3, 0.3), (1.0, 0.3), (1.0, 0.6), (0.6, 0.3), (0.6, 0.6)]
+    built = [(float(row["b_a"]), float(row["c_a"]), int(row["subspheres"])) for row in rows]
+    assert built == [(*shape, n) for shape in shapes for n in (17, 34) if (*shape, n) in built], text
+    assert len(built) >= 6 and warnings.count("is enough") == 10 - len(built), warnings
+    for shape in shapes:
+        for n in (17, 34):
+            if (*shape, n) not in built:
+                assert "one body" in post("template", "--semiaxes", 1, *shape, "--subspheres", n, expect=1)[1], shape
+    for row in rows:
+        assert row["shape"] == f"1 : {row['b_a']} : {row['c_a']}"
+        (alone,) = rows_of("template", "--semiaxes", 2, 2 * float(row["b_a"]), 2 * float(row["c_a"]), "--subspheres",
+                           row["subspheres"])
+        for name in ("volume_ratio", "in_exactly_one", "largest_to_spheres_c", "mean_to_body_c", "inertia_yy_ratio"):
+            assert abs(float(row[name]) / float(alone[name]) - 1.0) < 1e-6, (name, row, alone)
+    for words, reason in (("--map", "requires --needed"), ("--tolerance", "has no effect with --ratios")):
+        assert reason in post("template", "--ratios", 0.5, words, 0.1, expect=2)[1], words
+    assert "no ratio is below 1" in post("template", "--ratios", 1, "--subspheres", 9, expect=1)[1]
+    error = post("template", "--needed", 0.3, "--ratios", "0.5,0.8,1", "--map", "needed.svg")[1]
+    assert "4 of 9 cells have no value" in error or "cells have no value in \"medial\" and stay blank" in error, error
+
+
 def check_tolerance():
     (row,) = rows_of("template", "--semiaxes", *SEMIAXES, "--tolerance", 0.08)
     n = int(row["subspheres"])
@@ -297,6 +324,7 @@ def check_tolerance():
                           (("--semiaxes", *SEMIAXES, "--subspheres", 33, "--measure", "volume"), "--measure: has no effect without --tol"),
                           (("--needed", 0.1, "--measure", "outline"), "--measure: has no effect with --needed")):
         assert reason in post("template", *words, expect=2)[1]
+    check_ratios()
     rows = rows_of("template", "--needed", 0.1, "--ratios", "0.6,1")
     assert [(row["b_a"], row["c_a"]) for row in rows] == [("0.6", "0.6"), ("1", "0.6")], rows
     for row in rows:
