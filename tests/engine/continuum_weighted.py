@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from _brute_force import sphere_chain, turn
-from _engine import LAW, Particle, Setup, quaternion_of, run
+from _engine import LAW, Particle, Setup, quaternion_of, run, thermo
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 LISTED = 17
@@ -149,6 +149,22 @@ class AtRest(unittest.TestCase):
         expected = -np.outer(force, branch) / (4.0 / 3.0 * math.pi * 0.02 ** 3)  # all within the ball
         for row in frame("state.dump", 17):
             self.assertLess(np.abs(row[8:].reshape(3, 3) - expected).max(), 1e-9 * np.abs(expected).max())
+
+
+    def test_a_box_shorter_than_a_body(self):
+        """Contacts with images of itself; far averages are the virial."""
+        length = 2.9e-3
+        bodies = [Particle((0.5e-3, 0.6e-3, 0.7e-3), (2e-3, 1.5e-3, 1e-3), quaternion_of((1, 2, 3), 0.7)),
+                  Particle((1.9e-3, 2.1e-3, 2.4e-3), (1e-3, 1.2e-3, 0.9e-3), quaternion_of((1, -2, 3), 0.4))]
+        setup = Setup(box=(0.0, length, 0.0, length, 0.0, 1.2 * length), boundary="p p p", skin=2e-4)
+        for ranks in (1, 2):
+            run(setup.with_particles(bodies) + "fix motion all nve/ellipsoid\ncompute p all pressure thermo_temp virial\n"
+                "compute t all continuum/weighted/ellipsoid kernel_radius 0.02 kernel_type Wendland compute stress\n"
+                "compute mean all reduce ave c_t[1] c_t[5] c_t[9] c_t[4] c_t[7] c_t[8]\n"
+                f"thermo_style custom step {' '.join(f'c_{c}[{k}]' for c in ('p', 'mean') for k in range(1, 7))}\n"
+                "thermo_modify norm no format float %.15g\nrun 0\n", ranks)
+            row = thermo("log.in.run", 13)[-1][1:]
+            self.assertLess(np.abs(row[:6] + row[6:]).max(), 1e-4 * np.abs(row[:6]).max())
 
 
 class InMotion(unittest.TestCase):
