@@ -14,6 +14,7 @@
 #include "modify.h"
 #include "multisphere/ellipsoid_spheres.h"
 #include "multisphere_particles.h"
+#include "pair_gran.h"
 #include "random_park.h"
 #include "whole_number.h"
 
@@ -82,6 +83,7 @@ FixParticletemplateEllipsoid::~FixParticletemplateEllipsoid() {
 
 /// What tells multi-sphere particles apart is stored per atom.
 void FixParticletemplateEllipsoid::post_create() {
+  check_surface();
   if (stores_subspheres_)
     ellipsoid_host::make_subsphere_properties(modify);
   if (!body_.clump())
@@ -89,6 +91,24 @@ void FixParticletemplateEllipsoid::post_create() {
   const double size = semiaxes_.y / body_.clump()->semiaxes.y; // coarse graining
   clump_number_ = FixClumpsEllipsoid::find_or_make(modify)->add(
       id, *body_.clump(), (1.0 / (mass_ * size * size)) * principal_moments_);
+}
+
+/// Whether the pair style, where it is given already, has a surface for these particles: else the
+/// run would say so of the first one that is inserted.
+void FixParticletemplateEllipsoid::check_surface() {
+  auto* pair = static_cast<PairGran*>(force->pair_match("gran/ellipsoid", 1));
+  if (!pair)
+    return;
+  const bool is_multisphere = pair->contact_match("surface", "multisphere");
+  if (is_multisphere && subspheres_ == 0)
+    error->fix_error(
+        FLERR, this,
+        "it is smooth (subspheres 0), and pair_style gran/ellipsoid has 'surface "
+        "multisphere'; give 'subspheres' or 'clump', or take 'surface smooth' for all");
+  if (!is_multisphere && body_.clump())
+    error->fix_error(FLERR, this,
+                     "keyword 'clump': clumps have no smooth surface; use 'surface multisphere' of "
+                     "pair_style gran/ellipsoid");
 }
 
 /// The value of fix property/atom `spacing` for the particles of this template.

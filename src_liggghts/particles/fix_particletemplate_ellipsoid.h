@@ -72,6 +72,7 @@ class FixParticletemplateEllipsoid : public FixTemplateSphere {
   void complete(bool has_semiaxes, bool has_moments);
   void check_combination(bool has_semiaxes, bool has_moments);
   void derive_sizes_and_masses(bool has_moments);
+  void check_surface();
   void check_volume();
   void check_moments();
   void check_spheres();

@@ -1,5 +1,7 @@
 # Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
-"""What the benchmark writes for figures 17 and 18 is what `ellipsoid-post plot` draws."""
+"""What the benchmark writes for figures 17 and 18 is what `ellipsoid-post plot` draws; the page's costs of clumps are those
+that are kept."""
+import csv
 import os
 import sys
 from types import SimpleNamespace
@@ -14,7 +16,25 @@ def sample(**figures):
     return SimpleNamespace(figures=figures)
 
 
+def check_costs_of_clumps():
+    source = os.environ["ELLIPSOID_SOURCE"]
+    with open(os.path.join(source, "tests", "bench", "kept", "clumps.csv"), newline="", encoding="utf8") as file:
+        kept = {(row["case"], row["spheres"]): row for row in csv.DictReader(file)}
+    with open(os.path.join(source, "src_liggghts", "doc", "clumps.md"), encoding="utf8") as file:
+        page = file.read()
+    for spheres in ("17", "55", "200"):
+        cells = [spheres]
+        for case in ("falling", "dense"):
+            row = kept.pop((case, spheres))
+            ratio = float(row["ratio"])
+            assert abs(ratio - float(row["fix_multisphere_ns"]) / float(row["clump_ns"])) < 0.01 * ratio, row
+            cells += [row["fix_multisphere_ns"], row["clump_ns"], f"{ratio:.2g}"]
+        assert f"| {' | '.join(cells)} |" in page, cells
+    assert not kept, kept
+
+
 def main():
+    check_costs_of_clumps()
     results = {"sphere": ([40.0], [1.0], sample()),
                "smooth": ([170.0, 190.0], [4.25, 4.75], sample(potential=1.5)),
                "multisphere 3": ([150.0], [3.5], sample(potential=4.0)),

@@ -387,7 +387,8 @@ class BadInput(unittest.TestCase):
         text = fails(setup().without_particles() + insertion(
             TEMPLATE + "clump hook.csv\n" + TEMPLATE.replace("grain", "other").replace("15485863", "32452867")
             + "semiaxes 1e-3 1e-3 1e-3\n", 20).replace("1 grain 1.0", "2 grain 0.5 other 0.5") + "run 1\n")
-        self.assertRegex(text, "ERROR[^\n]*atom [0-9]+: it is smooth \(subspheres 0\)")
+        self.assertRegex(text, "ERROR[^\n]*\\(id other\\): it is smooth \\(subspheres 0\\)")
+        self.assertNotIn("inserted", text)
 
     def test_no_smooth_surface(self):
         write_spheres("hook.csv", HOOK)
