@@ -531,6 +531,36 @@ def check_surfaces():
     assert abs(float(row["in_exactly_one"]) - (1.0 - np.pi / 6.0 / 6.0)) < 1e-3
 
 
+def pebble_radius(directions):
+    """Of a lopsided body with dents (M,), as a scan may be: a = 1 within 0.55 to 1.4."""
+    x, y, z = directions.T
+    return (1.0 + 0.2 * x + 0.12 * np.sin(5.0 * y + 1.0) * np.cos(4.0 * z) - 0.25 * np.exp(-8.0 * ((x - 0.6) ** 2 + y ** 2)))
+
+
+def check_irregular_body():
+    """A dented pebble in mm, by random points: volume, centre, share; then to metres, as a simulation takes it."""
+    corners = ellipsoid_triangles((1.0, 1.0, 1.0), 48, 72)
+    unit = corners.reshape(-1, 3)
+    write_stl("pebble.stl", (8.0 * pebble_radius(unit)[:, None] * unit).reshape(corners.shape) + (50.0, -20.0, 5.0), False)
+    points = np.random.default_rng(9).uniform(-12, 12, (300000, 3))
+    distance = np.linalg.norm(points, axis=1)
+    body = distance < 8.0 * pebble_radius(points / distance[:, None])
+    volume, per_point = body.mean() * 24.0 ** 3, 24.0 ** 3 / len(points)
+    for spacing in ("medial", "minimax_volume"):
+        words = ("--from", "pebble.stl", "--subspheres", 60, "--spacing", spacing)
+        (row,) = rows_of("template", *words)
+        centres, radii = spheres_of(*words)
+        inside = in_union(points, centres - (50.0, -20.0, 5.0), radii)
+        deviation = np.sqrt((inside != body).sum()) * per_point / volume
+        found = float(row["in_exactly_one"])
+        assert abs(found - (inside != body).sum() * per_point / volume) < 5.0 * deviation + 5e-3, row  # mesh against the body
+        assert abs(float(row["volume_m3"]) / float(row["volume_ratio"]) / volume - 1.0) < 0.01, (row, volume)
+        mean = points[inside].mean(0) + (50.0, -20.0, 5.0)
+        assert all(abs(float(row[f"centre_{axis}_m"]) - wanted) < 0.1 for axis, wanted in zip("xyz", mean)), (row, mean)
+        print(f"pebble, {spacing}: 60 spheres leave {found:.3f} of the volume")
+    assert found < 0.09, found
+
+
 def check_bad_surfaces():
     write_stl("open.stl", box_triangles((1.0, 1.0, 1.0))[1:], True)
     _, error = post("template", "--from", "open.stl", expect=1)
@@ -585,4 +615,5 @@ check_doubled_spheres()
 check_spheres_far_out()
 check_bad_lists()
 check_surfaces()
+check_irregular_body()
 check_bad_surfaces()
