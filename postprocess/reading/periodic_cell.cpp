@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace ellipsoid::post {
 namespace {
@@ -105,6 +106,15 @@ Vector3 PeriodicCell::nearest(const Vector3& distance) const {
 }
 
 std::vector<Vector3> PeriodicCell::shifts(double reach) const {
+  constexpr double most_images = 1.0e5;
+  double count = 1.0;
+  for (std::size_t k = 0; k < 3; ++k)
+    count *= is_periodic_[k] ? 2.0 * std::ceil(reach / thickness(k)) + 1.0 : 1.0;
+  if (!(count <= most_images))
+    throw InputError(fmt::format("{:.3g} images of the box that repeats come within {:.3g} of it "
+                                 "(at most {:.0e} are taken): a body or width is far larger than "
+                                 "the box; --periodic none takes no images",
+                                 count, reach, most_images));
   std::array<int, 3> most{0, 0, 0};
   for (std::size_t k = 0; k < 3; ++k)
     if (is_periodic_[k])

@@ -42,7 +42,7 @@ class PeriodicCell {
   double distance_beyond(const Vector3& point) const;
 
   /// Shifts from the cell to its images whose planes are not farther than `reach` from the cell's
-  /// (length); the first one is zero.
+  /// (length); the first one is zero. Throws InputError for more than 1e5 of them.
   std::vector<Vector3> shifts(double reach) const;
 
  private:

@@ -286,6 +286,18 @@ def check_numbers_of_options():
             assert out == "" and ("finite" in error or "range" in error), (command, word, error)
 
 
+def check_sizes():
+    """Bodies far larger than a box that repeats."""
+    small = [particle(k + 1, 2e-3 * k, 2e-3) for k in range(3)]
+    small[1]["shapex"] = 5.0
+    boxed = frame_text(1, small).replace("mm mm ff", "pp pp pp").replace("\n0 0.5\n-0.005 0.2\n", "\n0 0.02\n0 0.02\n")
+    name = write("giant.dump", boxed)
+    for command in (("coordination", "--space"), ("pairs", "--gap", 1e-3), ("fields", "--grid", 2, 2, 2), ("contacts",), ("view", "-o", "giant.html")):
+        _, error = post(command[0], name, *command[1:], expect=1)
+        assert "images of the box" in error and error.count("error: ") == 1, (command, error)
+    assert json_of("coordination", name, "--space", "--periodic", "none")[0]["particles"] == 3
+
+
 def check_results_over_inputs():
     """What a command has read it does not write over; two results do not share a file; a run does not count twice."""
     text = frame_text(1, [particle(k + 1, 2e-3 * k, 2e-3) for k in range(3)])
@@ -319,6 +331,7 @@ def main():
     check_forced_ends()
     check_times()
     check_pictures()
+    check_sizes()
     check_results_over_inputs()
     check_numbers_of_options()
     check_ranges()
