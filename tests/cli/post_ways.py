@@ -56,7 +56,7 @@ def check_ways(rng, box):
     for columns in KNOWN:
         name = made_run(box, places, columns)
         out, error = post("trajectory", name, "--json", "-")
-        assert error.count("warning") == 1 and "longer than half of an edge that repeats, by image flags" in error, (columns, error)
+        assert error.count("warning") == 2 and "30 of 30 particles turn" in error and "longer than half of an edge that repeats, by image flags" in error, (columns, error)
         for row in json.loads(out):
             d = places[row["lag_frames"]] - places[0]
             assert abs(row["msd_m2"] - (d ** 2).sum(axis=1).mean()) < 1e-9, (box, columns, row)
