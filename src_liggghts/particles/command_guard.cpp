@@ -207,6 +207,52 @@ void check_command(LAMMPS* lmp, const std::string& command, const Words& words) 
       refuse(lmp, command + " ... " + unsuited.word, unsuited.reason_and_remedy);
 }
 
+/// Commands that act on what only the set-up of a run looks at: a run without one would go on with
+/// old lists, shapes and fixes.
+constexpr const char* needs_set_up[] = {
+    "set",        "displace_atoms", "delete_atoms", "create_atoms",     "change_box",
+    "fix",        "unfix",          "fix_modify",   "compute",          "uncompute",
+    "pair_style", "pair_coeff",     "neigh_modify", "neighbor",         "compute_modify",
+    "region",     "communicate",    "run_style",    "balance/ellipsoid"};
+
+/// The last of these commands since the last set-up, or an empty string; of the one simulation at
+/// hand.
+std::string& waits_for_set_up() {
+  static std::string command;
+  return command;
+}
+
+/// Whether a `run ... every` without set-up is at work, between whose parts commands are executed.
+bool& runs_without_set_up() {
+  static bool runs = false;
+  return runs;
+}
+
+[[noreturn]] void refuse_without_set_up(LAMMPS* lmp, const std::string& command) {
+  lmp->error->all(FLERR, ("run ... pre no: '" + command +
+                          "' acts where a run is set up, and this one would not be; leave 'pre no' "
+                          "out")
+                             .c_str());
+  std::abort(); // not reached
+}
+
+/// @param[in] has_pre_no the command is a run with 'pre no'
+void check_set_up(LAMMPS* lmp, const std::string& command, bool has_pre_no) {
+  if (command == "run") {
+    if (has_pre_no && !lmp->update->first_update) // the host sets up the first run all the same
+      waits_for_set_up().clear();
+    if (has_pre_no && !waits_for_set_up().empty())
+      refuse_without_set_up(lmp, waits_for_set_up());
+    return;
+  }
+  if (std::find(std::begin(needs_set_up), std::end(needs_set_up), command) ==
+      std::end(needs_set_up))
+    return;
+  if (runs_without_set_up())
+    refuse_without_set_up(lmp, command);
+  waits_for_set_up() = command;
+}
+
 /// What was given before the atom style, or comes from a restart file.
 void check_present_styles(LAMMPS* lmp) {
   if (lmp->force->pair_style)
@@ -245,6 +291,11 @@ CommandGuard::CommandGuard(LAMMPS* lmp, const char* command, int count, char** a
   if (!are_ellipsoids(lmp))
     return;
   check_command(lmp, command_, arguments_);
+  check_set_up(lmp, command_, goes_on_without_set_up());
+  if (command_ == "run") {
+    waits_for_set_up().clear();
+    runs_without_set_up() = goes_on_without_set_up() && has_argument("every");
+  }
   if (command_ == "run" || command_ == "write_data" || command_ == "write_restart")
     check_present_styles(lmp);
   if (command_ == "run" || command_ == "run_time")
@@ -256,6 +307,8 @@ CommandGuard::CommandGuard(LAMMPS* lmp, const char* command, int count, char** a
 }
 
 CommandGuard::~CommandGuard() {
+  if (command_ == "run")
+    runs_without_set_up() = false;
   if (!are_ellipsoids(lmp_))
     return;
   if (renumbering_)
@@ -269,6 +322,12 @@ CommandGuard::~CommandGuard() {
     for (int i = 0; i < lmp_->atom->nlocal; ++i)
       sets_momentum ? follow_angular_momentum(*lmp_->atom, i) : follow_omega(*lmp_->atom, i);
   }
+}
+
+/// Of `run ... pre no`.
+bool CommandGuard::goes_on_without_set_up() const {
+  const auto pre = std::find(arguments_.begin(), arguments_.end(), "pre");
+  return command_ == "run" && arguments_.end() - pre > 1 && *(pre + 1) == "no";
 }
 
 bool CommandGuard::has_argument(const std::string& word) const {

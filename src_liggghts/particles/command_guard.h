@@ -38,6 +38,7 @@ class CommandGuard {
   std::unique_ptr<Renumbering> renumbering_; // while the host deletes particles
 
   bool has_argument(const std::string& word) const;
+  bool goes_on_without_set_up() const;
   void begin_deletion();
   void complete_set();
   void turn_bodies() const;

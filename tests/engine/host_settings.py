@@ -77,6 +77,22 @@ class HostSettings(unittest.TestCase):
         for boundary in ("s s s", "m p f", "p p fm"):
             self.check(script(boundary=boundary), 2 if boundary == "s s s" else 1, boundary, least=5 * STEPS)
 
+    def test_a_run_that_is_not_set_up(self):
+        """After commands that act where a run is set up, and between the parts of such a run."""
+        text, wanted = script(), "acts where a run is set up, and this one would not be; leave 'pre no' out"
+        for command in ("set group all shape 3e-3 2e-3 2e-3", "set group all type 1", "displace_atoms all move 0 0 1e-3 units box",
+                        "group one id 1\ndelete_atoms group one compress no", "fix push all addforce 1 0 0",
+                        "compute c all ke", "neigh_modify delay 0", "change_box all boundary m m m"):
+            outcome = run(text + f"run 2\n{command}\nrun 2 pre no\n", check=False, name="in.pre")
+            self.assertNotEqual(outcome.code, 0, command)
+            self.assertIn(f"run ... pre no: '{command.splitlines()[-1].split()[0]}' {wanted}", outcome.text)
+            run(text + f"run 2\n{command}\nrun 2\nrun 2 pre no\n", name="in.pre")
+        outcome = run(text + "run 2\nrun 4 pre no every 2 \"set group all shape 3e-3 2e-3 2e-3\"\n", check=False, name="in.pre")
+        self.assertNotEqual(outcome.code, 0)
+        self.assertIn(f"'set' {wanted}", outcome.text)
+        run(text + "run 4 every 2 \"set group all shape 3e-3 2e-3 2e-3\"\nrun 2\nvelocity all set 0 0 0 units box\nthermo 1\n"
+            "print done\nrun 2 pre no\n", name="in.pre")
+
     def test_commands_that_know_nothing_of_shapes(self):
         """All in one script, after a scene that `clear` has left; a loop, a file that is included."""
         Path("more.in").write_text("thermo_log thermo.log\nmodify_timing on\nsoft_particles yes\nlattice sc 0.001\n"
