@@ -62,8 +62,10 @@ void add_report_command(CLI::App& program, int& exit_code) {
   command->add_option("--output,-o", options->output, "file name")->capture_default_str();
   command->add_option("--title", options->title, "heading of the page")->capture_default_str();
   command->add_option("--table", options->tables, "CSV files of any command, as tables");
-  command->add_option("--curve", options->curves,
-                      "CSV file of any command and two columns: a curve, and more of them");
+  command->add_option(
+      "--curve", options->curves,
+      "CSV file of any command, the column of the abscissa, those of the ordinate with "
+      "commas: curves, and more of them");
   command->add_option("--map", options->maps,
                       "CSV file and three columns, x, y and the colours': a map, and more of them");
   command->add_option("--view", options->views,

@@ -6,6 +6,7 @@
 #include "gravity_options.h"
 #include "messages.h"
 #include "option_checks.h"
+#include "picture_options.h"
 #include "run_surfaces.h"
 #include "table.h"
 #include "view_page.h"
@@ -149,7 +150,7 @@ int write_view(const ViewOptions& options) {
   ViewPage page(survey, settings);
   ContactLists lists(options.contacts);
   const int second = for_chosen_frames(options.frames, [&](const ChosenFrame& chosen) {
-    page.add(chosen.frame, chosen.set, contacts_of(options, lists, chosen));
+    page.add(chosen.frame, chosen.set, contacts_of(options, lists, chosen), seconds_of(chosen));
   });
   if (second != exit_good)
     return second;

@@ -54,9 +54,9 @@ json box_json(const Box& box) {
   return {{"origin", numbers(cell.corner())}, {"edges", edges}, {"repeats", repeats}};
 }
 
-std::string time_text(const Frame& frame) {
-  if (frame.time)
-    return fmt::format("t = {:.6g}{}", *frame.time,
+std::string time_text(const Frame& frame, const std::optional<double>& time) {
+  if (time)
+    return fmt::format("t = {:.6g}{}", *time,
                        frame.units.empty() || frame.units == "si" ? " s" : "");
   return fmt::format("time step {}", frame.timestep);
 }
@@ -264,7 +264,7 @@ void ViewPage::pack_contacts(PackedColumns& packed, const std::vector<ViewContac
 }
 
 void ViewPage::add(const Frame& frame, const ParticleSet& set,
-                   const std::vector<ViewContact>& contacts) {
+                   const std::vector<ViewContact>& contacts, const std::optional<double>& time) {
   PackedColumns packed;
   pack_bodies(packed, frame, set);
   pack_columns(packed, frame, set);
@@ -272,7 +272,7 @@ void ViewPage::add(const Frame& frame, const ParticleSet& set,
   const json about = {{"count", set.particles.size()},
                       {"contacts", contacts.size()},
                       {"step", frame.timestep},
-                      {"time_text", time_text(frame)},
+                      {"time_text", time_text(frame, time)},
                       {"box", box_json(set.box)}};
   frames_json_ += (frames_ ? "," : "") + about.dump();
   data_ += data_element(fmt::format("frame-{}", frames_++), packed);

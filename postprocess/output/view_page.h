@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -89,7 +90,9 @@ class ViewPage {
  public:
   ViewPage(ViewSurvey survey, ViewSettings settings);
   /// The same frames as in the survey, in the same order. Throws InputError if they are others.
-  void add(const Frame& frame, const ParticleSet& set, const std::vector<ViewContact>& contacts);
+  /// @param[in] time where it is known
+  void add(const Frame& frame, const ParticleSet& set, const std::vector<ViewContact>& contacts,
+           const std::optional<double>& time);
   std::string html() const;
 
   /// Bytes before compression.

@@ -105,13 +105,21 @@ void PositionColumns::find_ways(const NamedColumns& columns) {
     tells_ways_ = Availability(true, fault_of_images());
 }
 
-/// The first image flag that is no whole number, as a message; or nothing.
+/// The first image flag that is no whole number, or that has no box to count, as a message; or
+/// nothing.
 std::string PositionColumns::fault_of_images() const {
+  const bool has_box = norm(unscaled(Vector3{1.0, 1.0, 1.0}) - unscaled(Vector3{})) > 0.0;
   for (std::size_t row = 0; row < frame_.rows; ++row)
     for (const Column column : {images_.x, images_.y, images_.z})
       if ((*column)[row] != std::floor((*column)[row]))
         return bad_value(frame_, row, "whole numbers ix iy iz, how often a particle went around",
                          fmt::format("{}", (*column)[row]))
+            .what();
+      else if (!has_box && (*column)[row] != 0.0)
+        return bad_value(frame_, row,
+                         "a box beside the image flags ix iy iz (VTK files have none: take text "
+                         "dumps)",
+                         fmt::format("a particle that went {} times around it", (*column)[row]))
             .what();
   return "";
 }

@@ -136,12 +136,16 @@ def check_other_runs():
         row["z"] = 0.004 * k
     os.makedirs("space", exist_ok=True)
     dump = write("space/bed.dump", frame_text(3, rows))
-    write("mixing.csv", "time_s,lacey_index,case\n0,0.1,a\n1,0.5,a\n2,0.8,a\n")
+    write("mixing.csv", "time_s,lacey_index,case,neighbour_index\n0,0.1,a,0.2\n1,0.5,a,\n2,0.8,a,0.7\n")
     text = page_of(dump, "--table", "mixing.csv", "--curve", "mixing.csv", "time_s", "lacey_index")
     page = check_form(text)
     sections = [s["id"] for s in page.all("section")]
     assert sections == ["measures", "particles", "runs", "parameters", "how-this-page-was-made"], sections
     assert "0.8" in page.cells and "angle of repose" not in text
+    text = page_of("--curve", "mixing.csv", "time_s", "lacey_index,neighbour_index")
+    assert "lacey index, neighbour index over time (s): mixing.csv (1 of 3 rows have no number in" in text, text[-3000:]
+    (picture,) = [base64.b64decode(data) for data in re.findall(r"svg\+xml;base64,([^\"]+)", text)]
+    assert picture.count(b"<circle") == 3 + 2 + 2, "points of two curves and their marks in the legend"
     text = page_of("--table", "mixing.csv", "--title", "A <mixture>")
     assert [s["id"] for s in check_form(text).all("section")] == ["measures", "how-this-page-was-made"]
     assert "<h1>A &lt;mixture&gt;</h1>" in text and "--title 'A &lt;mixture&gt;'" in text

@@ -422,7 +422,7 @@ def periodic_scene(folder):
     box = f"ITEM: BOX BOUNDS xy xz yz pp ff ff\n0 {edge + tilt} {tilt}\n0 {edge} 0\n-0.001 0.006 0\n"
     (folder / "wrapped").mkdir()
     (folder / "wrapped" / "bed.dump").write_text(head + box + rest)
-    (folder / "wrapped" / "log.run").write_text("fix c all wall/gran/ellipsoid model hertz primitive type 1 ycylinder 0.002 0.0 0.005\n")
+    (folder / "wrapped" / "log.run").write_text("timestep 2e-3\nfix c all wall/gran/ellipsoid model hertz primitive type 1 ycylinder 0.002 0.0 0.005\n")
     (folder / "wrapped" / "bed.local").write_text(
         "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ENTRIES\n1\nITEM: BOX BOUNDS pp ff ff\n0 1\n0 1\n0 1\nITEM: ENTRIES i j fx fy fz\n1 2 1.0 0 0\n")
     return folder / "wrapped" / "bed.dump", edge, tilt
@@ -452,6 +452,7 @@ def check_images_and_first_view(folder):
         page.draw_now(); // the cylinder along y, about x = 0.005, z = 0: from x = 0.003 to 0.007
         answer.tube = places([[3.2e-3, 5e-3, 0], [6.8e-3, 5e-3, 0], [2.8e-3, 5e-3, 0], [7.2e-3, 5e-3, 0]]).map((place) => page.pixel(...place));
         answer.shown = !document.getElementById("images-label").hidden;
+        answer.time = document.getElementById("time").textContent;
         """ % {"edge": edge}, folder, SIZE)
     assert answer["complaints"] == [], answer["complaints"]
     width, height = answer["size"]
@@ -469,7 +470,7 @@ def check_images_and_first_view(folder):
     for place in answer["tube"][:2]:
         assert max(place) < 250, answer["tube"]
     assert answer["tube"][2:] == [[255, 255, 255]] * 2, answer["tube"]
-    assert answer["shown"]
+    assert answer["shown"] and answer["time"] == "t = 0.014 s, 204 particles", answer["time"]  # step 7 of 2 ms
 
 
 def check_refusals(folder):

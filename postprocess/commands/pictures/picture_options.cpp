@@ -53,10 +53,7 @@ void warn_of_empty_view(const std::string& run, const ParticleSet& set, const Bo
     report_warning(run + ": no particle lies in --view", "view of " + run);
 }
 
-namespace {
-
-/// Time of a frame (s): of the file, or of its step and the log beside it.
-std::optional<double> time_of(const ChosenFrame& chosen) {
+std::optional<double> seconds_of(const ChosenFrame& chosen) {
   if (chosen.frame.time)
     return chosen.frame.time;
   const RunLog* log = log_of(chosen);
@@ -65,10 +62,8 @@ std::optional<double> time_of(const ChosenFrame& chosen) {
   return *log->time_step * static_cast<double>(chosen.frame.timestep);
 }
 
-} // namespace
-
 std::string frame_title(const ChosenFrame& chosen) {
-  const std::optional<double> time = time_of(chosen);
+  const std::optional<double> time = seconds_of(chosen);
   return fmt::format("{} particles, {}", chosen.set.particles.size(),
                      time ? fmt::format("t = {:.4g} s", *time)
                           : fmt::format("time step {}", chosen.frame.timestep));

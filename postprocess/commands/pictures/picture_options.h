@@ -5,6 +5,7 @@
 #include "frame_options.h"
 #include "pile_picture.h"
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -40,6 +41,9 @@ int checked_code(int code, const PictureNames& names);
 /// Warns where --view shows no particle. @param[in] axes 2: x and y count, 3: z too
 void warn_of_empty_view(const std::string& run, const ParticleSet& set, const Box& view,
                         std::size_t axes);
+
+/// Time of a frame (s): of the file, or of its step and the log beside it.
+std::optional<double> seconds_of(const ChosenFrame& chosen);
 
 /// Words above a picture that has no other title.
 std::string frame_title(const ChosenFrame& chosen);

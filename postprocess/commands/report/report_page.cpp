@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <map>
+#include <sstream>
 #include <utility>
 
 namespace ellipsoid::post {
@@ -167,6 +168,26 @@ std::string in_brackets(const std::string& words) {
   return words.empty() ? "" : " (" + words + ")";
 }
 
+/// Curves of one or several columns, which are named with commas.
+HtmlPicture curves_of(const std::string& file, const std::string& x, const std::string& columns) {
+  constexpr int width = 900, height = 600; // pixels
+  TableChart what;
+  what.x = x;
+  std::istringstream words(columns);
+  std::string names;
+  for (std::string y; std::getline(words, y, ',');) {
+    names += (what.y.empty() ? "" : ", ") + label_of_key(y);
+    what.y.push_back(y);
+  }
+  std::vector<std::string> numbers = what.y;
+  numbers.push_back(x);
+  const Table table = read_csv_files({file}, numbers);
+  const Chart chart = curve_chart(table, what);
+  return drawing(draw_charts(PictureFormat::svg, {chart}, width, height),
+                 fmt::format("{} over {}: {}", names, label_of_key(x), file) +
+                     in_brackets(left_out_of_curves(table, what)));
+}
+
 /// Tables, curves and maps of any columns of CSV files, as other commands write them.
 std::string measures_of(const ReportOptions& options) {
   constexpr int width = 900, height = 600; // pixels
@@ -174,19 +195,8 @@ std::string measures_of(const ReportOptions& options) {
   for (const std::string& file : options.tables)
     html += html_whole_table(read_csv_files({file}, {}), file);
   std::vector<HtmlPicture> pictures;
-  for (std::size_t k = 0; k < options.curves.size(); k += words_of_curve) {
-    const std::string &file = options.curves[k], &x = options.curves[k + 1],
-                      &y = options.curves[k + 2];
-    TableChart what;
-    what.x = x;
-    what.y = {y};
-    const Table table = read_csv_files({file}, {x, y});
-    const Chart chart = curve_chart(table, what);
-    pictures.push_back(
-        drawing(draw_charts(PictureFormat::svg, {chart}, width, height),
-                fmt::format("{} over {}: {}", label_of_key(y), label_of_key(x), file) +
-                    in_brackets(left_out_of_curves(table, what))));
-  }
+  for (std::size_t k = 0; k < options.curves.size(); k += words_of_curve)
+    pictures.push_back(curves_of(options.curves[k], options.curves[k + 1], options.curves[k + 2]));
   for (std::size_t k = 0; k < options.maps.size(); k += words_of_map) {
     const std::string &file = options.maps[k], &value = options.maps[k + 3];
     TableChart what;
