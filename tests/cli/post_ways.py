@@ -90,6 +90,21 @@ def check_bad_flags():
         post("coordination", "bad.dump", "--space", "--frame", "all")
 
 
+def check_no_box():
+    """VTK files have no box: flags that count it are refused, others say nothing."""
+    for turns, code in ((0, 0), (1, 1)):
+        for n in range(2):
+            numbers = {"id": ("int", 1), "radius": ("float", 1e-3), **{f"i{axis}": ("int", turns) for axis in "xyz"}}
+            write(f"flags_{n}.vtk", "# vtk DataFile Version 2.0\nflags\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n"
+                  f"{0.01 + 0.002 * n} 0 0\nVERTICES 1 2\n1 0\nPOINT_DATA 1\n"
+                  + "".join(f"SCALARS {name} {kind} 1\nLOOKUP_TABLE default\n{value}\n" for name, (kind, value) in numbers.items()))
+        out, error = post("trajectory", "flags_*.vtk", "--json", "-", expect=code)
+        if code:
+            assert "a box beside the image flags" in error and "take text dumps" in error, error
+        else:
+            assert abs(json.loads(out)[1]["displacement_x_m"] - 0.002) < 1e-6, out
+
+
 def check_engine_flights():
     """Ellipsoids that fly 0.8 of the box between two frames."""
     edge, step, speed = 0.1, 1e-5, (2.0, -1.6, 0.8)
@@ -154,6 +169,8 @@ def main():
         check_ways(rng, box)
         check_short_steps(rng, box)
     check_bad_flags()
+    if os.environ["ELLIPSOID_VTK"] == "1":
+        check_no_box()
     check_engine_flights()
     check_host_bodies()
 
