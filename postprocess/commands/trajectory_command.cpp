@@ -86,7 +86,7 @@ Row lag_row(const FollowedRun& run, std::size_t lag) {
   if (run.times[lag] && run.times[0]) {
     const double lag_time = *run.times[lag] - *run.times[0];
     row.push_back({"lag_s", "lag", "s", lag_time});
-    if (lag_time > 0.0)
+    if (lag_time > 0.0 && m.pairs > 0)
       diffusion = squared / (6.0 * lag_time);
     row.push_back({"diffusion_m2_per_s", "MSD / 6 lag", "m2/s", diffusion});
   }
@@ -98,13 +98,16 @@ Row lag_row(const FollowedRun& run, std::size_t lag) {
     return count > 0 ? Value(value) : Value();
   };
   row.push_back({"pairs", "particles and origins", "", static_cast<std::int64_t>(m.pairs)});
-  add("displacement_x_m", "mean displacement x", "m", m.displacement.x);
-  add("displacement_y_m", "mean displacement y", "m", m.displacement.y);
-  add("displacement_z_m", "mean displacement z", "m", m.displacement.z);
-  add("msd_m2", "mean square displacement", "m2", squared);
-  add("msd_x_m2", "MSD along x", "m2", m.squared_displacement.x);
-  add("msd_y_m2", "MSD along y", "m2", m.squared_displacement.y);
-  add("msd_z_m2", "MSD along z", "m2", m.squared_displacement.z);
+  const auto add_mean = [&](const std::string& key, const std::string& name,
+                            const std::string& unit,
+                            double value) { add(key, name, unit, known(value, m.pairs)); };
+  add_mean("displacement_x_m", "mean displacement x", "m", m.displacement.x);
+  add_mean("displacement_y_m", "mean displacement y", "m", m.displacement.y);
+  add_mean("displacement_z_m", "mean displacement z", "m", m.displacement.z);
+  add_mean("msd_m2", "mean square displacement", "m2", squared);
+  add_mean("msd_x_m2", "MSD along x", "m2", m.squared_displacement.x);
+  add_mean("msd_y_m2", "MSD along y", "m2", m.squared_displacement.y);
+  add_mean("msd_z_m2", "MSD along z", "m2", m.squared_displacement.z);
   add("rotation_squared_rad2", "mean square rotation", "rad2",
       known(m.squared_rotation, m.rotations));
   add("direction_correlation", "u(0).u(t)", "", known(m.direction, m.directions));

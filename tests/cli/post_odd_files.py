@@ -69,6 +69,14 @@ def check_absence():
             assert abs(row["msd_m2"] - mean) <= 1e-9 * mean, (origins, row, mean)
 
 
+def check_no_particle_stays():
+    """Lags that no particle has a way for: no means, not zeros."""
+    name = write("change.dump", frame_text(0, [particle(1, 0.0, 0.01)]) + frame_text(100, [particle(2, 0.0, 0.01)]) + frame_text(200, []))
+    rows = json_of("trajectory", name, "--dt", 1e-5)
+    assert [row["pairs"] for row in rows] == [1, 0, 0] and rows[0]["msd_m2"] == 0, rows
+    assert all(row[key] is None for row in rows[1:] for key in row if key.startswith(("displacement", "msd", "diff", "rot", "dir"))), rows
+
+
 def check_long_steps():
     """Ways that may be longer than half of the box: this is said; others are not."""
     for share, is_said in ((0.3, False), (0.45, True), (0.8, False)):  # 0.8 looks like 0.2 backwards: nobody can know
@@ -323,6 +331,7 @@ def main():
     check_line_ends()
     check_restarts()
     check_absence()
+    check_no_particle_stays()
     check_long_steps()
     check_unwrapped_steps()
     check_columns()
