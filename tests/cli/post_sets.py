@@ -7,10 +7,11 @@ import csv
 import io
 import os
 import struct
+import subprocess
 
 import numpy as np
 
-from _synthetic import post, rows_of, write
+from _synthetic import POST, post, rows_of, write
 
 SEMIAXES = np.array([3e-3, 1e-3, 2e-3])  # the longest axis is not the second, none are equal
 
@@ -308,6 +309,20 @@ def check_ratios():
     assert "no ratio is below 1" in post("template", "--ratios", 1, "--subspheres", 9, expect=1)[1]
     error = post("template", "--needed", 0.3, "--ratios", "0.5,0.8,1", "--map", "needed.svg")[1]
     assert "4 of 9 cells have no value" in error or "cells have no value in \"medial\" and stay blank" in error, error
+
+
+def check_progress():
+    """On a terminal, and only there, standard error tells what is being computed; in the end the line is empty."""
+    for words, line in ((("--needed", 0.3, "--ratios", "0.5"), "N needed for 1 : 0.5 : 0.5"),
+                        (("--ratios", "0.5", "--subspheres", "9"), "1 : 0.5 : 0.5, N = 9"),
+                        (("--semiaxes", 3, 2, 1, "--subspheres", 33), "measures of N = 33")):
+        ours, its = os.openpty()
+        subprocess.run([POST, "template", *map(str, words)], stderr=its, stdout=subprocess.DEVNULL, check=True)
+        shown = os.read(ours, 10000).decode()
+        os.close(its)
+        os.close(ours)
+        assert line in shown and shown.split("\r")[-1] == "" and shown.split("\r")[-2].strip() == "", (words, shown)
+        assert post("template", *words)[1] == "", words
 
 
 def check_tolerance():
@@ -609,6 +624,7 @@ check_even_minimax()
 check_largest()
 check_means_of_minimax()
 check_roughness()
+check_progress()
 check_tolerance()
 check_lists()
 check_doubled_spheres()

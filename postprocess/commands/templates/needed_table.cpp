@@ -3,13 +3,13 @@
 #include "input_error.h"
 #include "messages.h"
 #include "multisphere/ellipsoid_spheres.h"
+#include "progress_line.h"
 #include "set_comparison.h"
 #include "sphere_sets.h"
 
-#include <cstdio>
 #include <fmt/format.h>
 #include <stdexcept>
-#include <unistd.h>
+#include <string>
 #include <utility>
 
 namespace ellipsoid::post {
@@ -24,17 +24,8 @@ Value number_needed(const Vector3& semiaxes, SphereSpacing spacing, double share
   }
 }
 
-/// On a terminal: which cell is being computed.
-void show_progress(double b, double c) {
-  if (isatty(STDERR_FILENO) == 0)
-    return;
-  fmt::print(stderr, "\r{:70}\rb/a = {:g}, c/a = {:g}", "", b, c);
-  std::fflush(stderr);
-}
-
-void clear_progress() {
-  if (isatty(STDERR_FILENO) != 0)
-    fmt::print(stderr, "\r{:70}\r", "");
+std::string name_of(const Vector3& shape) {
+  return fmt::format("1 : {:g} : {:g}", shape.y, shape.z);
 }
 
 /// Shapes a = 1 >= b >= c < a of these ratios.
@@ -51,7 +42,7 @@ std::vector<Vector3> shapes_of(const std::vector<double>& ratios) {
 }
 
 Row shape_columns(const Vector3& shape) {
-  return {{"shape", "a : b : c", "", fmt::format("1 : {:g} : {:g}", shape.y, shape.z)},
+  return {{"shape", "a : b : c", "", name_of(shape)},
           {"b_a", "b/a", "", shape.y},
           {"c_a", "c/a", "", shape.z}};
 }
@@ -61,7 +52,7 @@ Row shape_columns(const Vector3& shape) {
 Table needed_table(double share, const std::vector<double>& ratios) {
   Table table{"Sub-spheres needed", {}};
   for (const Vector3& shape : shapes_of(ratios)) {
-    show_progress(shape.y, shape.z);
+    show_progress_line("N needed for " + name_of(shape));
     table.rows.push_back(
         {{"b_a", "b/a", "", shape.y},
          {"c_a", "c/a", "", shape.z},
@@ -69,7 +60,7 @@ Table needed_table(double share, const std::vector<double>& ratios) {
          {"minimax_volume", "minimax_volume", "",
           number_needed(shape, SphereSpacing::minimax_volume, share)}});
   }
-  clear_progress();
+  clear_progress_line();
   return table;
 }
 
@@ -78,7 +69,7 @@ Table ratio_table(const std::vector<double>& ratios, const std::vector<int>& cou
   Table table{"Sets of spheres over b/a and c/a", {}};
   for (const Vector3& shape : shapes_of(ratios))
     for (const int count : counts) {
-      show_progress(shape.y, shape.z);
+      show_progress_line(fmt::format("{}, N = {}", name_of(shape), count));
       Row row = shape_columns(shape);
       row.push_back({"subspheres", "N", "", static_cast<std::int64_t>(count)});
       row.push_back({"spacing", "spacing", "", word_of(spacing)});
@@ -86,12 +77,13 @@ Table ratio_table(const std::vector<double>& ratios, const std::vector<int>& cou
         append_comparison(row, make_ellipsoid_spheres(shape, count, spacing),
                           {solid_ellipsoid(shape), shape.z, "c", shape});
       } catch (const std::invalid_argument& error) {
+        clear_progress_line();
         report_warning(error.what());
         continue;
       }
       table.rows.push_back(std::move(row));
     }
-  clear_progress();
+  clear_progress_line();
   if (table.rows.empty())
     throw InputError("none of these templates can be built");
   return table;

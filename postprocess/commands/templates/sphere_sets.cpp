@@ -8,6 +8,7 @@
 #include "multisphere/ellipsoid_spheres.h"
 #include "multisphere/sphere_list.h"
 #include "multisphere/union_measures.h"
+#include "progress_line.h"
 #include "set_comparison.h"
 #include "space_picture.h"
 #include "sphere_set_measures.h"
@@ -182,6 +183,7 @@ Row measures_row(const UnionMeasures& m) {
 Table table_of(const std::vector<NamedSet>& sets, const Target& target) {
   Table table{"Sets of spheres", {}};
   for (const NamedSet& set : sets) {
+    show_progress_line(fmt::format("measures of N = {}", set.spheres.count()));
     Row row{{"source", "source", "", set.source},
             {"subspheres", "N", "", static_cast<std::int64_t>(set.spheres.count())},
             {"spacing", "spacing", "", set.spacing}};
@@ -192,6 +194,7 @@ Table table_of(const std::vector<NamedSet>& sets, const Target& target) {
       append_comparison(row, set.spheres, target);
     table.rows.push_back(std::move(row));
   }
+  clear_progress_line();
   return table;
 }
 
