@@ -433,11 +433,11 @@ TEST(Particles, clumps_without_their_spheres_are_refused) {
 TEST(Particles, ellipsoids_of_three_axes_have_the_kernels_set) {
   const ParticleSet set = particles_of(
       one_frame("id x y z quat1 quat2 quat3 quat4 shapex shapey shapez f_subspheres f_spacing",
-                {"1 0 0 0 1 0 0 0 2 3 1 17 4"}),
+                {"1 0 0 0 1 0 0 0 2 3 1 21 4"}),
       {});
-  const SphereSet truth = make_ellipsoid_spheres({2.0, 3.0, 1.0}, 17, SphereSpacing::medial);
-  ASSERT_EQ(set.spheres.size(), 17u);
-  for (std::size_t k = 0; k < 17; ++k) {
+  const SphereSet truth = make_ellipsoid_spheres({2.0, 3.0, 1.0}, 21, SphereSpacing::medial);
+  ASSERT_EQ(set.spheres.size(), 21u);
+  for (std::size_t k = 0; k < 21; ++k) {
     EXPECT_EQ(norm(set.spheres[k].centre - truth.centres[k]), 0.0);
     EXPECT_EQ(set.spheres[k].radius, truth.radii[k]);
   }
