@@ -2,6 +2,7 @@
 #include "table_lines.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -24,7 +25,7 @@ std::string csv_value(const Value& value) {
   return std::visit(Overloaded{[](std::monostate) { return std::string(); },
                                [](bool v) { return std::string(v ? "1" : "0"); },
                                [](std::int64_t v) { return fmt::format("{}", v); },
-                               [](double v) { return fmt::format("{}", v); },
+                               [](double v) { return std::isnan(v) ? "" : fmt::format("{}", v); },
                                [](const std::string& v) { return csv_field(v); }},
                     value);
 }
@@ -45,12 +46,13 @@ const Value* value_in_order(const Row& row, const std::string& key, std::size_t&
 } // namespace
 
 std::string shown(const Value& value) {
-  return std::visit(Overloaded{[](std::monostate) { return std::string("-"); },
-                               [](bool v) { return std::string(v ? "yes" : "no"); },
-                               [](std::int64_t v) { return fmt::format("{}", v); },
-                               [](double v) { return fmt::format("{:.5g}", v); },
-                               [](const std::string& v) { return v; }},
-                    value);
+  return std::visit(
+      Overloaded{[](std::monostate) { return std::string("-"); },
+                 [](bool v) { return std::string(v ? "yes" : "no"); },
+                 [](std::int64_t v) { return fmt::format("{}", v); },
+                 [](double v) { return std::isnan(v) ? "-" : fmt::format("{:.5g}", v); },
+                 [](const std::string& v) { return v; }},
+      value);
 }
 
 std::string csv_head(const std::vector<Quantity>& header) {

@@ -77,6 +77,19 @@ def check_no_particle_stays():
     assert all(row[key] is None for row in rows[1:] for key in row if key.startswith(("displacement", "msd", "diff", "rot", "dir"))), rows
 
 
+def check_unknown_errors():
+    """Standard errors that two cells, or cells of one particle each, do not tell: no value, neither 0 nor nan."""
+    rows = [dict(particle(k + 1, 2.5e-3 + 5e-3 * min(k, 4) + 1e-4 * (k == 5), 1e-3), type=1 + (k % 2 if k < 5 else 0)) for k in range(6)]
+    name = write("cells.dump", frame_text(0, rows))
+    for size, cells in ((5e-3, 5), (1.5e-2, 2)):
+        command = ("mixing", name, "--type", 2, "--cell", size, "--neighbours", 3)
+        (row,) = json_of(*command)
+        assert row["cells"] == cells and row["lacey_index_standard_error"] is None, row
+        assert (row["neighbour_index_standard_error"] is None) == (cells == 2), row
+        (line,) = rows_of(*command)
+        assert line["lacey_index_standard_error"] == "" and "nan" not in post(*command)[0], line
+
+
 def check_long_steps():
     """Ways that may be longer than half of the box: this is said; others are not."""
     for share, is_said in ((0.3, False), (0.45, True), (0.8, False)):  # 0.8 looks like 0.2 backwards: nobody can know
@@ -332,6 +345,7 @@ def main():
     check_restarts()
     check_absence()
     check_no_particle_stays()
+    check_unknown_errors()
     check_long_steps()
     check_unwrapped_steps()
     check_columns()

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <random>
@@ -152,8 +153,12 @@ double jackknife_error(const std::vector<Indices>& left_out, double Indices::*in
 
 void add_errors(Mixing& result, const std::vector<Sums>& cells, const Sums& all,
                 double squares_of_means, const IndexSettings& settings) {
-  if (cells.size() < 3)
+  if (cells.size() < 3) {
+    for (double* error : {&result.lacey_error, &result.neighbour_index_error,
+                          &result.intensity_error, &result.relative_deviation_error})
+      *error = std::numeric_limits<double>::quiet_NaN();
     return;
+  }
   std::vector<Indices> left_out;
   for (const Sums& cell : cells)
     left_out.push_back(indices_of(all.without(cell), static_cast<double>(cells.size()) - 1.0,
