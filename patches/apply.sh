@@ -179,10 +179,6 @@ list_series() {
 apply_series() {
   local name file
   local -a missing=()
-  [[ $host != LIGGGHTS-PFM* ]] ||
-    fail "$host is known, but its contact models have the interface of an older LIGGGHTS that this" \
-      "package does not compile with (see src_liggghts/doc/hosts.md);" \
-      "use LIGGGHTS-PUBLIC 3.8.0 or LIGGGHTS-INL 4.0.0"
   for name in "${series[@]}"; do
     look_at "$name"
     case $state in

@@ -4,7 +4,7 @@
 #   bash patches/install.sh TREE            sources and patches; may be repeated
 #   bash patches/install.sh --remove TREE   takes everything back
 #
-#   TREE   the folder that contains src/
+#   TREE   the folder that contains src/; not of LIGGGHTS-PFM, which takes this package by CMake only
 #
 # Afterwards `make auto`, `make mpi` or any other of the host's targets, in TREE/src, gives an engine
 # with the styles of this package. What is put there:
@@ -200,6 +200,9 @@ else
   bash "$package/patches/apply.sh" check "$tree"
   [[ -f $src/Makefile.package.empty || -f $src/Makefile.package ]] ||
     fail "'$src' has neither Makefile.package nor Makefile.package.empty: is it the host's whole src/?"
+  [[ $(head -n 1 "$src/version_liggghts_branch.txt") != LIGGGHTS-PFM ]] ||
+    fail "'$tree' is LIGGGHTS-PFM, which takes this package by CMake only:" \
+      "cmake --preset release -DLIGGGHTS_SOURCE=$tree"
   mapfile -t places < <(list_files | cut -f 2)
   check_room "${places[@]}"
   apply_patches

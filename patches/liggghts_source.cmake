@@ -38,7 +38,7 @@ endfunction()
 # The files of the host's src/ that take part in a build.
 function(ellipsoid_glob_host folder result)
   file(GLOB files RELATIVE ${folder} ${folder}/*.cpp ${folder}/*.h ${folder}/*.txt
-    ${folder}/Make.sh ${folder}/style_contact_model*.whitelist)
+    ${folder}/Make.sh ${folder}/style_contact_model*.whitelist ${folder}/style_contact_model.blacklist)
   list(FILTER files EXCLUDE REGEX "^(style_.*\\.h|version_liggghts\\.h|CMakeLists\\.txt)$")
   set(${result} ${files} PARENT_SCOPE)
 endfunction()
@@ -213,8 +213,8 @@ function(ellipsoid_make_styles folder remark)
     CONTENT "#define LIGGGHTS_VERSION \"${branch} ${version}${remark}\"\n")
 endfunction()
 
-# Everything above, only as far as something changed since the last time.
-function(ellipsoid_prepare_host own_headers whitelist)
+# Unpacks the host where it is new; `branch_result` is its name, LIGGGHTS-PUBLIC or the like.
+function(ellipsoid_get_host branch_result)
   file(MAKE_DIRECTORY ${ELLIPSOID_HOST_DIR})
   ellipsoid_find_source(source)
   ellipsoid_source_key(${source} source_key)
@@ -224,7 +224,13 @@ function(ellipsoid_prepare_host own_headers whitelist)
     ellipsoid_make_whitelist()
     file(WRITE ${ELLIPSOID_HOST_DIR}/source.key ${source_key})
   endif()
+  file(STRINGS ${ELLIPSOID_HOST_DIR}/pristine/src/version_liggghts_branch.txt branch LIMIT_COUNT 1)
+  set(${branch_result} ${branch} PARENT_SCOPE)
+endfunction()
 
+# Everything else, only as far as something changed since the last time.
+function(ellipsoid_prepare_host own_headers whitelist)
+  file(READ ${ELLIPSOID_HOST_DIR}/source.key source_key)
   set(trees_key ${source_key})
   foreach(file IN LISTS ELLIPSOID_PATCH_FILES)
     file(SHA256 ${file} hash)

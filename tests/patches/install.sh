@@ -103,4 +103,10 @@ expect_refusal "0002.* does not fit" "${install[@]}" tree
 same before tree "a refused call changed something"
 expect_refusal "is no LIGGGHTS source tree" "${install[@]}" "$ELLIPSOID_SOURCE"
 expect_refusal "usage: install.sh" "${install[@]}"
+echo "-- LIGGGHTS-PFM is refused"
+made_tree pfm LIGGGHTS-PFM 24.01 pfm
+printf 'PKG_INC =   \n' >pfm/src/Makefile.package
+cp -r pfm pfm_before
+expect_refusal "is LIGGGHTS-PFM, which takes this package by CMake only: cmake " "${install[@]}" pfm
+same pfm_before pfm "a refused tree was changed"
 echo "passed"
