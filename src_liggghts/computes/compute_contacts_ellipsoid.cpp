@@ -9,8 +9,8 @@
 using namespace LAMMPS_NS;
 using ellipsoid_host::ContactCounts;
 
-ComputeContactsEllipsoid::ComputeContactsEllipsoid(LAMMPS* lmp, int& iarg, int narg, char** arg)
-    : Compute(lmp, iarg, narg, arg) {
+ComputeContactsEllipsoid::ComputeContactsEllipsoid(ELLIPSOID_COMPUTE_PARAMETERS)
+    : HostCompute(ELLIPSOID_COMPUTE_ARGUMENTS) {
   if (narg > iarg)
     error->compute_error(FLERR, this, "takes no arguments after its style; remove them");
   vector_flag = 1;

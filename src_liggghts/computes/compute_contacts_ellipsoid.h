@@ -9,7 +9,7 @@ ComputeStyle(contacts/ellipsoid,ComputeContactsEllipsoid)
 #ifndef LMP_COMPUTE_CONTACTS_ELLIPSOID_H
 #define LMP_COMPUTE_CONTACTS_ELLIPSOID_H
 
-#include "compute.h"
+#include "host_compute.h"
 
 namespace LAMMPS_NS {
 
@@ -18,9 +18,9 @@ namespace LAMMPS_NS {
 /// [4] searches (smooth) or distances between sub-spheres (multisphere): potential contacts,
 /// [5] Newton steps, [6] searches that did not converge, [7] those pairs of [3] that are near by
 /// their true shapes. In the order of ContactCounts.
-class ComputeContactsEllipsoid : public Compute {
+class ComputeContactsEllipsoid : public ellipsoid_host::HostCompute {
  public:
-  ComputeContactsEllipsoid(class LAMMPS* lmp, int& iarg, int narg, char** arg);
+  ComputeContactsEllipsoid(ELLIPSOID_COMPUTE_PARAMETERS);
   ~ComputeContactsEllipsoid() override;
   void init() override;
   void compute_vector() override;

@@ -77,9 +77,8 @@ void for_each_of_all_ranks(const std::vector<Element>& own, const Comm& comm, MP
 
 } // namespace
 
-ComputeContinuumWeightedEllipsoid::ComputeContinuumWeightedEllipsoid(LAMMPS* lmp, int& iarg,
-                                                                     int narg, char** arg)
-    : Compute(lmp, iarg, narg, arg) {
+ComputeContinuumWeightedEllipsoid::ComputeContinuumWeightedEllipsoid(ELLIPSOID_COMPUTE_PARAMETERS)
+    : HostCompute(ELLIPSOID_COMPUTE_ARGUMENTS) {
   const ellipsoid_host::CommandName name{"Compute", style, id};
   ellipsoid_host::ArgumentReader reader(error, name, narg, arg, iarg);
   double radius = 0.0;

@@ -10,7 +10,7 @@ ComputeStyle(continuum/weighted/ellipsoid,ComputeContinuumWeightedEllipsoid)
 #define LMP_COMPUTE_CONTINUUM_WEIGHTED_ELLIPSOID_H
 
 #include "averages/fields_at_particles.h"
-#include "compute.h"
+#include "host_compute.h"
 
 #include <optional>
 #include <vector>
@@ -25,9 +25,9 @@ namespace LAMMPS_NS {
 
 /// Per particle: nine columns of the stress, nine of the strain in a time step, or both; xx xy xz
 /// yx yy yz zx zy zz.
-class ComputeContinuumWeightedEllipsoid : public Compute {
+class ComputeContinuumWeightedEllipsoid : public ellipsoid_host::HostCompute {
  public:
-  ComputeContinuumWeightedEllipsoid(class LAMMPS* lmp, int& iarg, int narg, char** arg);
+  ComputeContinuumWeightedEllipsoid(ELLIPSOID_COMPUTE_PARAMETERS);
   void init() override;
   void compute_peratom() override;
   double memory_usage() override;

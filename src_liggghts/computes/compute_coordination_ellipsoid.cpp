@@ -12,9 +12,8 @@
 using namespace LAMMPS_NS;
 using LIGGGHTS::ContactModels::ContactRecord;
 
-ComputeCoordinationEllipsoid::ComputeCoordinationEllipsoid(LAMMPS* lmp, int& iarg, int narg,
-                                                           char** arg)
-    : Compute(lmp, iarg, narg, arg) {
+ComputeCoordinationEllipsoid::ComputeCoordinationEllipsoid(ELLIPSOID_COMPUTE_PARAMETERS)
+    : HostCompute(ELLIPSOID_COMPUTE_ARGUMENTS) {
   if (narg > iarg)
     error->compute_error(FLERR, this, "takes no arguments after its style; remove them");
   peratom_flag = 1;

@@ -9,7 +9,7 @@ ComputeStyle(coordination/ellipsoid,ComputeCoordinationEllipsoid)
 #ifndef LMP_COMPUTE_COORDINATION_ELLIPSOID_H
 #define LMP_COMPUTE_COORDINATION_ELLIPSOID_H
 
-#include "compute.h"
+#include "host_compute.h"
 
 #include <utility>
 #include <vector>
@@ -24,9 +24,9 @@ namespace LAMMPS_NS {
 
 /// Per particle: [1] particles that it touches, [2] contacts with these (more than [1] for
 /// multi-spheres), [3] contacts with walls.
-class ComputeCoordinationEllipsoid : public Compute {
+class ComputeCoordinationEllipsoid : public ellipsoid_host::HostCompute {
  public:
-  ComputeCoordinationEllipsoid(class LAMMPS* lmp, int& iarg, int narg, char** arg);
+  ComputeCoordinationEllipsoid(ELLIPSOID_COMPUTE_PARAMETERS);
   void init() override;
   void compute_peratom() override;
   double memory_usage() override;

@@ -10,8 +10,8 @@
 
 using namespace LAMMPS_NS;
 
-ComputeERotateEllipsoid::ComputeERotateEllipsoid(LAMMPS* lmp, int& iarg, int narg, char** arg)
-    : Compute(lmp, iarg, narg, arg) {
+ComputeERotateEllipsoid::ComputeERotateEllipsoid(ELLIPSOID_COMPUTE_PARAMETERS)
+    : HostCompute(ELLIPSOID_COMPUTE_ARGUMENTS) {
   if (narg > iarg)
     error->compute_error(FLERR, this, "takes no arguments after its style; remove them");
   scalar_flag = 1;

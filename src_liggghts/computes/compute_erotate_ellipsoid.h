@@ -9,15 +9,15 @@ ComputeStyle(erotate/ellipsoid,ComputeERotateEllipsoid)
 #ifndef LMP_COMPUTE_EROTATE_ELLIPSOID_H
 #define LMP_COMPUTE_EROTATE_ELLIPSOID_H
 
-#include "compute.h"
+#include "host_compute.h"
 
 namespace LAMMPS_NS {
 
 /// Global scalar: sum of m_k^2 / (2 I_k) over the body axes k of all particles of the group, with
 /// the angular momentum m and the principal moments I (energy).
-class ComputeERotateEllipsoid : public Compute {
+class ComputeERotateEllipsoid : public ellipsoid_host::HostCompute {
  public:
-  ComputeERotateEllipsoid(class LAMMPS* lmp, int& iarg, int narg, char** arg);
+  ComputeERotateEllipsoid(ELLIPSOID_COMPUTE_PARAMETERS);
   void init() override;
   double compute_scalar() override;
 };

@@ -15,8 +15,8 @@ namespace LAMMPS_NS {
 
 class ComputePairEllipsoidLocal : public EllipsoidContactList {
  public:
-  ComputePairEllipsoidLocal(class LAMMPS* lmp, int& iarg, int narg, char** arg)
-      : EllipsoidContactList(lmp, iarg, narg, arg, ContactPartner::particle) {}
+  ComputePairEllipsoidLocal(ELLIPSOID_COMPUTE_PARAMETERS)
+      : EllipsoidContactList(ELLIPSOID_COMPUTE_ARGUMENTS, ContactPartner::particle) {}
   void init() override;
 };
 

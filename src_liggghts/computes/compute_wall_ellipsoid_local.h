@@ -15,8 +15,8 @@ namespace LAMMPS_NS {
 
 class ComputeWallEllipsoidLocal : public EllipsoidContactList {
  public:
-  ComputeWallEllipsoidLocal(class LAMMPS* lmp, int& iarg, int narg, char** arg)
-      : EllipsoidContactList(lmp, iarg, narg, arg, ContactPartner::wall) {}
+  ComputeWallEllipsoidLocal(ELLIPSOID_COMPUTE_PARAMETERS)
+      : EllipsoidContactList(ELLIPSOID_COMPUTE_ARGUMENTS, ContactPartner::wall) {}
   void init() override;
 };
 

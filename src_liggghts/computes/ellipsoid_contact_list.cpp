@@ -28,9 +28,8 @@ enum class EllipsoidContactList::Property : int {
   spheres
 };
 
-EllipsoidContactList::EllipsoidContactList(LAMMPS* lmp, int& iarg, int narg, char** arg,
-                                           ContactPartner partner)
-    : Compute(lmp, iarg, narg, arg), partner_(partner) {
+EllipsoidContactList::EllipsoidContactList(ELLIPSOID_COMPUTE_PARAMETERS, ContactPartner partner)
+    : HostCompute(ELLIPSOID_COMPUTE_ARGUMENTS), partner_(partner) {
   const std::vector<std::string> words{"id",     "pos",   "contactPoint",  "normal",
                                        "delta",  "force", "force_normal",  "force_tangential",
                                        "fn",     "ft",    "reducedRadius", "contactArea",

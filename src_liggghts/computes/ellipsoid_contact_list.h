@@ -3,14 +3,14 @@
 // What computes pair/ellipsoid/local and wall/ellipsoid/local share: a row per contact.
 #pragma once
 
-#include "compute.h"
 #include "ellipsoid_contact_caller.h"
+#include "host_compute.h"
 
 #include <vector>
 
 namespace LAMMPS_NS {
 
-class EllipsoidContactList : public Compute {
+class EllipsoidContactList : public ellipsoid_host::HostCompute {
  public:
   void compute_local() override;
   double memory_usage() override;
@@ -21,7 +21,7 @@ class EllipsoidContactList : public Compute {
 
   enum class ContactPartner { particle, wall };
 
-  EllipsoidContactList(class LAMMPS* lmp, int& iarg, int narg, char** arg, ContactPartner partner);
+  EllipsoidContactList(ELLIPSOID_COMPUTE_PARAMETERS, ContactPartner partner);
 
   /// The contacts of these, in this order. Called in every init().
   void set_callers(const std::vector<EllipsoidContactCaller*>& callers);

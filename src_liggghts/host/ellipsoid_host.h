@@ -4,10 +4,10 @@
 // types, contact forces added to its force records, arguments read strictly.
 #pragma once
 
-#include "contact_interface.h"
 #include "error.h"
 #include "fix.h"
 #include "global_properties.h"
+#include "host_contact.h"
 #include "math/vector3.h"
 #include "property_registry.h"
 

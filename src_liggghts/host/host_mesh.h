@@ -7,12 +7,18 @@
 #include "fix_mesh_surface.h"
 #include "host_variants.h"
 
+#ifdef ELLIPSOID_HOST_PFM
+#include "fix_mesh_surface_stress.h"
+#endif
+
 namespace ellipsoid_host {
 
 /// Notes that particle i touches a triangle of the mesh.
 inline void note_triangle(LAMMPS_NS::FixMeshSurface* mesh, int i, int triangle_id) {
   double* unused = nullptr;
-#ifdef ELLIPSOID_HOST_INL
+#if defined(ELLIPSOID_HOST_PFM)
+  mesh->contactHistory()->handleContact(i, triangle_id, unused);
+#elif defined(ELLIPSOID_HOST_INL)
   mesh->contactHistory()->handleContact(i, triangle_id, unused, true, false, false);
 #else
   mesh->contactHistory()->handleContact(i, triangle_id, unused, true, false);
@@ -22,7 +28,11 @@ inline void note_triangle(LAMMPS_NS::FixMeshSurface* mesh, int i, int triangle_i
 /// Tells the mesh the force that particle i feels at the point (length).
 inline void add_to_mesh(LAMMPS_NS::FixMeshSurface* mesh, int i, double* force, double* point,
                         int triangle, double* wall_velocity) {
-#ifdef ELLIPSOID_HOST_INL
+#if defined(ELLIPSOID_HOST_PFM)
+  if (mesh->trackStress())
+    static_cast<LAMMPS_NS::FixMeshSurfaceStress*>(mesh)->add_particle_contribution(
+        i, force, point, triangle, wall_velocity);
+#elif defined(ELLIPSOID_HOST_INL)
   mesh->add_particle_contribution(i, force, point, triangle, wall_velocity, nullptr);
 #else
   mesh->add_particle_contribution(i, force, point, triangle, wall_velocity);

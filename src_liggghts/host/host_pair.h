@@ -3,19 +3,27 @@
 // Base class of a granular pair style, the same for every host.
 #pragma once
 
-#include "contact_models.h"
+#include "fix_contact_history.h"
 #include "force.h"
+#include "host_contact.h"
 #include "host_variants.h"
 #include "pair_gran.h"
 
 #include <cstdint>
 #include <cstdio>
 
+#ifdef ELLIPSOID_HOST_PFM
+#include "pfm_pair.h"
+#else
+
 namespace ellipsoid_host {
 
 class HostPairStyle : public LAMMPS_NS::PairGran {
  public:
   explicit HostPairStyle(LAMMPS_NS::LAMMPS* lmp) : PairGran(lmp) {}
+
+  /// Numbers of a pair in the history lists.
+  int history_length() const { return fix_history->get_dnum(); }
 
   /// For commands that list the contacts of a step, like compute pair/gran/local: begin, add each
   /// contact, end.
@@ -70,5 +78,17 @@ class HostPairStyle : public LAMMPS_NS::PairGran {
   }
 #endif
 };
+
+} // namespace ellipsoid_host
+
+#endif
+
+namespace ellipsoid_host {
+
+/// Is there a pair_style gran/ellipsoid with this surface?
+inline bool has_surface(LAMMPS_NS::Force& force, const char* name) {
+  auto* pair = dynamic_cast<HostPairStyle*>(force.pair_match("gran/ellipsoid", 1));
+  return pair && pair->contact_match("surface", name);
+}
 
 } // namespace ellipsoid_host

@@ -167,6 +167,39 @@ constexpr UnsuitedStyles unsuited_styles[] = {
     {"command", "suffix package", "chooses accelerated styles, which this host lacks; remove it"},
     {"command", "mass",
      "gives masses to types; use 'density' or 'mass' of the template, or 'set ... density'"},
+    // --- of LIGGGHTS-PFM alone
+    {"fix",
+     "GROUP SHEAR_HISTORY ave/euler/region ave/euler/region/universe bond/create/gran "
+     "bond/propagate/gran break/particle chem/shrink chem/shrink/Arrhenius chem/shrink/core "
+     "chem/shrink/core/single couple/cfd/chemistry couple/cfd/deform couple/cfd/dissolve "
+     "couple/cfd/fluidproperties couple/cfd/parttempfield couple/cfd/recurrence deposit "
+     "execute forcecontrol/region forcecontrol/region/universe heat heat/gran/radiation indent "
+     "insert/pack/dense insert/pack/face insert/pack/face/universe insert/stream/moving "
+     "langevin limit/property/atom limit/vel massflow/mesh/face massflow/mesh/face/universe "
+     "meanfreetime mesh/surface/stress/6dof mesh/surface/stress/contact nph nph/sphere npt "
+     "npt/sphere nve/sph/limit nvt nvt/sllod nvt/sphere particledistribution/discrete/face "
+     "particletemplate/fragments pour/legacy press/berendsen property/atom/cumulativetracer "
+     "property/atom/lammps property/atom/polydispparcel recenter remove restrain rigid/nph "
+     "rigid/npt rigid/nve rigid/nvt rigid/small roughness scale/diameter shake speedcontrol "
+     "temp/berendsen temp/rescale tmd wall/harmonic wall/lj1043 wall/lj126 wall/lj93 "
+     "wall/reflect wall/sph/general/simple",
+     "is not shown to be right for ellipsoids; remove it"},
+    {"compute",
+     "angle/local coord/gran dihedral/local erotate/rigid heat/flux improper/local ke/rigid "
+     "neighbor/atom pair pair/local temp/com temp/deform temp/partial temp/profile temp/ramp "
+     "temp/region temp/sphere vacf wall/ghosts",
+     "is not shown to be right for ellipsoids; remove it"},
+    {"dump", "atom cfg dcd", "is not shown to be right for ellipsoids; remove it"},
+    {"pair_style",
+     "beck born born/coul/wolf buck buck/coul/cut coul/cut coul/debye coul/dsf coul/wolf dpd "
+     "dpd/tstat gauss gran/omp lj/cubic lj/cut lj/cut/coul/cut lj/cut/coul/debye "
+     "lj/cut/coul/dsf lj/expand lj/gromacs lj/gromacs/coul/gromacs lj/smooth lj/smooth/linear "
+     "lj96/cut mie/cut morse table yukawa zbl",
+     "is not shown to be right for ellipsoids; remove it"},
+    {"region", "mesh/hex", "is not shown to be right for ellipsoids; remove it"},
+    {"run_style", "verlet/implicit", "is not shown to be right for ellipsoids; remove it"},
+    {"command", "create_multisphere_clump extract_surface extrude_surface",
+     "is not shown to be right for ellipsoids; remove it"},
 };
 
 bool is_word_of(const std::string& words, const std::string& word) {

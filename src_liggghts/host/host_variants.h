@@ -1,10 +1,15 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 //
 // What the hosts that this package is compiled with call differently: LIGGGHTS-PUBLIC (and
-// PICI-LIGGGHTS), or LIGGGHTS-INL. Pair styles: host_pair.h; meshes: host_mesh.h; walls:
-// host_wall.h.
+// PICI-LIGGGHTS), LIGGGHTS-INL, or LIGGGHTS-PFM. Contacts: host_contact.h; pair styles:
+// host_pair.h; meshes: host_mesh.h; templates: host_template.h; insertion: host_insertion.h;
+// computes: host_compute.h; contact models: models/host_models.h; walls: walls/host_wall.h.
 #pragma once
 
+#if __has_include("fix_particledistribution.h")
+#define ELLIPSOID_HOST_PFM
+#include <mpi.h> // before lammps.h
+#endif
 #if __has_include("iloopcallbackcaller.h")
 #define ELLIPSOID_HOST_INL
 #include "comm_brick.h"
@@ -17,7 +22,24 @@
 #define ELLIPSOID_RESTART_PARAMETERS char* buffer
 #endif
 
+/// Functions that tell sizes and types of particles are const with LIGGGHTS-PFM.
+#ifdef ELLIPSOID_HOST_PFM
+#define ELLIPSOID_HOST_CONST const
+#else
+#define ELLIPSOID_HOST_CONST
+#endif
+
 namespace ellipsoid_host {
+
+/// The order of a particle in its distribution (LIGGGHTS-PFM has none).
+template <class Particle> void set_order(Particle& particle, int order) {
+#ifdef ELLIPSOID_HOST_PFM
+  static_cast<void>(particle);
+  static_cast<void>(order);
+#else
+  particle.distorder = order;
+#endif
+}
 
 /// The distance (length) that `reduce_dist_from_subdomain_border_to_particle_radius` of
 /// LIGGGHTS-INL's fix insert/pack keeps: of one body its bounding sphere, as without that keyword.
@@ -35,6 +57,26 @@ template <class Region> bool has_variable_shape(const Region& region) {
   return region.has_varshape();
 #else
   return region.varshape != 0;
+#endif
+}
+
+/// The factor of sizes of the host's command `coarsegraining`.
+template <class Force> double coarse_graining(Force& force, int type) {
+#ifdef ELLIPSOID_HOST_PFM
+  static_cast<void>(type);
+  return force.cg();
+#else
+  return force.cg(type);
+#endif
+}
+
+/// Does a fix follow which particles go from rank to rank? (LIGGGHTS-PFM has no such fix.)
+template <class Comm> bool follows_exchange(const Comm& comm) {
+#ifdef ELLIPSOID_HOST_PFM
+  static_cast<void>(comm);
+  return false;
+#else
+  return comm.exchangeEvents;
 #endif
 }
 

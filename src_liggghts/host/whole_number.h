@@ -28,4 +28,12 @@ inline std::optional<long> whole_integer(const char* token) {
   return value;
 }
 
+/// @param[in] number >= 0
+inline bool is_prime(long number) {
+  for (long divisor = 2; divisor * divisor <= number; ++divisor)
+    if (number % divisor == 0)
+      return false;
+  return number > 1;
+}
+
 } // namespace ellipsoid_host

@@ -1,15 +1,18 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #pragma once
 
-#include "lammps.h"
-
 #include <string>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
 
 namespace LIGGGHTS {
 namespace ContactModels {
 
 /// Says on the screen and in the log how the forces of contacts are computed: before the first run,
-/// and whenever that has changed.
+/// and whenever that has changed. Stops where the host's contact models would have to be called,
+/// and cannot be.
 class BatchNotice {
  public:
   /// @param[in] who      pair style or wall, as messages name it

@@ -2,6 +2,7 @@
 #include "batched_law.h"
 
 #include "contact_models.h"
+#include "host_contact.h"
 #include "model_settings.h"
 
 #include <algorithm>

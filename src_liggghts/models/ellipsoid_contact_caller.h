@@ -1,7 +1,7 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #pragma once
 
-#include "contact_interface.h"
+#include "host_contact.h"
 #include "lmptype.h"
 #include "math/vector3.h"
 

@@ -3,10 +3,11 @@
 // The contact models of a pair style, as the host has chosen and compiled them.
 #pragma once
 
-#include "contact_models.h"
-#include "settings.h"
+#include "host_contact.h"
+#include "property_registry.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 namespace LIGGGHTS {
@@ -30,46 +31,14 @@ class HostModels {
   virtual void close(SurfacesIntersectData& contact) = 0;
 };
 
-/// @tparam Model the host's ContactModel<...>
-template <typename Model> class HostModelsOf final : public HostModels, protected Pointers {
- public:
-  HostModelsOf(LAMMPS* lmp, IContactHistorySetup* setup, int64_t hash)
-      : Pointers(lmp), model_(lmp, setup, false, hash) {}
+enum class ContactSurface { other, smooth, multisphere };
 
-  int64_t hashcode() override { return model_.hashcode(); }
-  double stress_strain_exponent() override { return model_.stressStrainExponent(); }
-  bool contact_match(const std::string& kind, const std::string& name) override {
-    return model_.contact_match(kind, name);
-  }
-  std::string read_settings(int count, char** arguments, IContactHistorySetup* setup) override {
-    Settings settings(lmp);
-    model_.registerSettings(settings);
-    const bool success = settings.parseArguments(count, arguments);
-    model_.postSettings(setup);
-    return success ? std::string() : settings.error_message;
-  }
-  void connect(PropertyRegistry& registry) override { model_.connectToProperties(registry); }
-  void begin_pass(SurfacesIntersectData& data) override {
-    ForceData force_i, force_j;
-    model_.beginPass(data, force_i, force_j);
-  }
-  void end_pass(SurfacesIntersectData& data) override {
-    ForceData force_i, force_j;
-    model_.endPass(data, force_i, force_j);
-  }
-  __attribute__((flatten)) void apply(SurfacesIntersectData& contact, ForceData& force_i,
-                                      ForceData& force_j) override {
-    model_.surfacesIntersect(contact, force_i, force_j);
-    model_.endSurfacesIntersect(contact, nullptr, force_i, force_j);
-  }
-  void close(SurfacesIntersectData& contact) override {
-    ForceData force_i, force_j;
-    model_.surfacesClose(contact, force_i, force_j);
-  }
+/// @param[in] variant number of the chosen models, see select_models()
+ContactSurface surface_of(std::int64_t variant);
 
- private:
-  Model model_;
-};
+/// Null where the number is none of models.
+std::unique_ptr<HostModels> make_models(LAMMPS_NS::LAMMPS* lmp, IContactHistorySetup* setup,
+                                        std::int64_t variant);
 
 } // namespace ContactModels
 } // namespace LIGGGHTS

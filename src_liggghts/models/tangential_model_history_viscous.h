@@ -14,6 +14,7 @@ TANGENTIAL_MODEL(TANGENTIAL_HISTORY_VISCOUS,history/viscous,40)
 #include "ellipsoid_host.h"
 #include "global_properties.h"
 #include "law/tangential_laws.h"
+#include "slip_direction_setting.h"
 #include "tangential_model_base.h"
 #include "update.h"
 
@@ -21,25 +22,6 @@ TANGENTIAL_MODEL(TANGENTIAL_HISTORY_VISCOUS,history/viscous,40)
 
 namespace LIGGGHTS {
 namespace ContactModels {
-
-/// Keyword `direction displacement|velocity`.
-class SlipDirectionSetting : public EnumSetting<ellipsoid::SlipDirection> {
- public:
-  SlipDirectionSetting(std::string name, ellipsoid::SlipDirection)
-      : EnumSetting<ellipsoid::SlipDirection>(name) {
-    addOption("displacement", ellipsoid::SlipDirection::displacement);
-    addOption("velocity", ellipsoid::SlipDirection::velocity);
-    setDefault("displacement");
-  }
-
-  int parseArguments(char** args) override {
-    const int consumed = EnumSetting<ellipsoid::SlipDirection>::parseArguments(args);
-    if (consumed < 0)
-      error_message = std::string("keyword 'direction' has the value '") + args[1] +
-                      "', allowed is one of 'displacement', 'velocity'";
-    return consumed;
-  }
-};
 
 template <> class TangentialModel<TANGENTIAL_HISTORY_VISCOUS> : public TangentialModelBase {
  public:

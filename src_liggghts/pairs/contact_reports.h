@@ -4,7 +4,7 @@
 // moments for lists, stresses, and sums.
 #pragma once
 
-#include "contact_interface.h"
+#include "host_contact.h"
 #include "pointers.h"
 
 namespace LAMMPS_NS {

@@ -26,7 +26,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <map>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -39,49 +38,12 @@ using LIGGGHTS::IContactHistorySetup;
 
 namespace {
 
-using Creator = HostModels* (*)(LAMMPS*, IContactHistorySetup*, int64_t);
-
-template <typename Style>
-HostModels* make_models(LAMMPS* lmp, IContactHistorySetup* setup, int64_t hash) {
-  return new HostModelsOf<ContactModel<Style>>(lmp, setup, hash);
-}
-
-/// Only combinations with a surface of ellipsoids are needed.
-template <int Normal, int Tangential, int Cohesion, int Rolling, int Surface>
-void add_combination(std::map<int64_t, Creator>& creators) {
-  if constexpr (Surface == SURFACE_SMOOTH || Surface == SURFACE_MULTISPHERE) {
-    using Style = GranStyle<Normal, Tangential, Cohesion, Rolling, Surface>;
-    creators[int64_t{Style::HASHCODE}] = &make_models<Style>;
-  }
-}
-
-/// The combinations that the whitelist has compiled.
-const std::map<int64_t, Creator>& compiled_combinations() {
-  static const std::map<int64_t, Creator> table = [] {
-    std::map<int64_t, Creator> creators;
-#define GRAN_MODEL(NORMAL, TANGENTIAL, COHESION, ROLLING, SURFACE)                                 \
-  add_combination<NORMAL, TANGENTIAL, COHESION, ROLLING, SURFACE>(creators);
-#include "style_contact_model.h"
-#undef GRAN_MODEL
-    return creators;
-  }();
-  return table;
-}
-
-/// The number of the surface model: the host packs normal, tangential, cohesion, rolling and
-/// surface model into one number, in this order.
-int surface_of(int64_t variant) {
-  constexpr int bits_per_model = 6, models_before = 4;
-  return static_cast<int>(variant >> (models_before * bits_per_model)) &
-         ((1 << bits_per_model) - 1);
-}
-
 /// Null where the surface is not one of ellipsoids.
 SurfaceContacts* make_contacts(LAMMPS* lmp, PairGranEllipsoid& pair, int64_t variant) {
   switch (surface_of(variant)) {
-  case SURFACE_SMOOTH:
+  case ContactSurface::smooth:
     return new SmoothContacts(lmp, pair);
-  case SURFACE_MULTISPHERE:
+  case ContactSurface::multisphere:
     return new MultisphereContacts(lmp, pair);
   default:
     return nullptr;
@@ -103,11 +65,7 @@ void PairGranEllipsoid::create(int64_t variant) {
   if (!contacts_)
     error->all(FLERR, "pair_style gran/ellipsoid needs 'surface smooth' or 'surface multisphere' "
                       "after the other models; add it");
-  const auto compiled = compiled_combinations().find(variant);
-  // any other combination runs by virtual dispatch
-  const Creator create_models =
-      compiled != compiled_combinations().end() ? compiled->second : &make_models<GranStyle<>>;
-  models_.reset(create_models(lmp, this, variant));
+  models_ = make_models(lmp, this, variant);
   forces_ = std::make_unique<PairForces>(lmp, *this, *models_);
   const std::string complaint = unsuitable_model(*models_);
   if (!complaint.empty())
@@ -155,9 +113,12 @@ void PairGranEllipsoid::settings(int narg, char** arg) {
     arguments_ += (k ? " " : "") + std::string(arg[k]);
   const int64_t variant = select_models(narg, arg, lmp, force);
   if (variant == -1)
-    error->all(FLERR, "pair_style gran/ellipsoid: unknown contact model; allowed are the host's "
-                      "and this package's, in the order model, tangential, cohesion, "
-                      "rolling_friction, surface; correct the names and their order");
+    error->all(FLERR,
+               (std::string("pair_style gran/ellipsoid: unknown contact model; allowed are ") +
+                known_models +
+                ", in the order model, tangential, cohesion, "
+                "rolling_friction, surface; correct the names and their order")
+                   .c_str());
   create(variant);
   const std::string complaint = unsuitable_setting(narg, arg);
   if (!complaint.empty())
@@ -218,8 +179,7 @@ void PairGranEllipsoid::shorten_lists() {
 
 double* PairGranEllipsoid::history(double* in_list, int entry) const {
   const HistoryRows* rows = contacts_->history_rows();
-  return rows ? rows->at(static_cast<int>(in_list[entry]))
-              : &in_list[fix_history->get_dnum() * entry];
+  return rows ? rows->at(static_cast<int>(in_list[entry])) : &in_list[history_length() * entry];
 }
 
 void PairGranEllipsoid::keep_histories() { contacts_->histories_are_kept(true); }

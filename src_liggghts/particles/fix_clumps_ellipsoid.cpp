@@ -7,9 +7,9 @@
 #include "error.h"
 #include "fix_property_atom.h"
 #include "force.h"
+#include "host_pair.h"
 #include "modify.h"
 #include "multisphere_particles.h"
-#include "pair_gran.h"
 
 #include <algorithm>
 #include <cmath>
@@ -152,8 +152,7 @@ const ellipsoid::MultisphereBody* FixClumpsEllipsoid::body(int spacing, int coun
 }
 
 void FixClumpsEllipsoid::init() {
-  auto* pair = static_cast<PairGran*>(force->pair_match("gran/ellipsoid", 1));
-  if (!entries_.empty() && pair && !pair->contact_match("surface", "multisphere"))
+  if (!entries_.empty() && ellipsoid_host::has_surface(*force, "smooth"))
     error->all(FLERR, "pair_style gran/ellipsoid: clumps have no smooth surface; use 'surface "
                       "multisphere'");
   settle();

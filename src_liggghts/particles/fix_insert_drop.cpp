@@ -156,11 +156,11 @@ void FixInsertDrop::reset_timestep(bigint new_step, bigint old_step) {
   schedule();
 }
 
-double FixInsertDrop::max_rad(int type) {
+double FixInsertDrop::max_rad(int type) ELLIPSOID_HOST_CONST {
   return type == template_->maxtype() ? template_->max_rad() : 0.0;
 }
 
-double FixInsertDrop::min_rad(int type) {
+double FixInsertDrop::min_rad(int type) ELLIPSOID_HOST_CONST {
   return type == template_->maxtype() ? template_->min_rad() : HUGE_VAL;
 }
 

@@ -32,11 +32,10 @@ class FixInsertDrop : public Fix {
   /// Particles inserted so far.
   double compute_scalar() override { return inserted_; }
 
-  bool use_rad_for_cut_neigh_and_ghost() override { return true; }
-  double max_rad(int type) override;
-  double min_rad(int type) override;
-  int min_type() override { return template_->mintype(); }
-  int max_type() override { return template_->maxtype(); }
+  double max_rad(int type) ELLIPSOID_HOST_CONST override;
+  double min_rad(int type) ELLIPSOID_HOST_CONST override;
+  int min_type() ELLIPSOID_HOST_CONST override { return template_->mintype(); }
+  int max_type() ELLIPSOID_HOST_CONST override { return template_->maxtype(); }
 
  private:
   FixParticletemplateEllipsoid* template_ = nullptr;

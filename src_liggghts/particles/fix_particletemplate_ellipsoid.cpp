@@ -8,13 +8,12 @@
 #include "error.h"
 #include "fix_clumps_ellipsoid.h"
 #include "force.h"
+#include "host_pair.h"
 #include "host_variants.h"
-#include "math_extra_liggghts.h"
 #include "memory.h"
 #include "modify.h"
 #include "multisphere/ellipsoid_spheres.h"
 #include "multisphere_particles.h"
-#include "pair_gran.h"
 #include "random_park.h"
 #include "whole_number.h"
 
@@ -52,8 +51,7 @@ class BaseArguments {
   /// The host's generator takes primes only, and its own message does not say whose seed it was.
   static void check_seed(Error* error, const char* id, const char* token) {
     const std::optional<long> seed = ellipsoid_host::whole_integer(token);
-    if (seed && *seed >= smallest_seed && *seed <= largest_seed &&
-        MathExtraLiggghts::isPrime(static_cast<int>(*seed)))
+    if (seed && *seed >= smallest_seed && *seed <= largest_seed && ellipsoid_host::is_prime(*seed))
       return;
     error->all(FLERR,
                (std::string("Fix particletemplate/ellipsoid (id ") + id + "): the seed is '" +
@@ -66,8 +64,8 @@ class BaseArguments {
 } // namespace
 
 FixParticletemplateEllipsoid::FixParticletemplateEllipsoid(LAMMPS* lmp, int narg, char** arg)
-    : FixTemplateSphere(lmp, BaseArguments(lmp, narg, arg).count(),
-                        BaseArguments(lmp, narg, arg).words()) {
+    : ellipsoid_host::HostTemplate(lmp, BaseArguments(lmp, narg, arg).count(),
+                                   BaseArguments(lmp, narg, arg).words()) {
   if (!atom->superquadric_flag)
     error->fix_error(FLERR, this, "needs particles with shape: use atom_style granular/ellipsoid");
   delete pti;
@@ -96,16 +94,12 @@ void FixParticletemplateEllipsoid::post_create() {
 /// Whether the pair style, where it is given already, has a surface for these particles: else the
 /// run would say so of the first one that is inserted.
 void FixParticletemplateEllipsoid::check_surface() {
-  auto* pair = static_cast<PairGran*>(force->pair_match("gran/ellipsoid", 1));
-  if (!pair)
-    return;
-  const bool is_multisphere = pair->contact_match("surface", "multisphere");
-  if (is_multisphere && subspheres_ == 0)
+  if (ellipsoid_host::has_surface(*force, "multisphere") && subspheres_ == 0)
     error->fix_error(
         FLERR, this,
         "it is smooth (subspheres 0), and pair_style gran/ellipsoid has 'surface "
         "multisphere'; give 'subspheres' or 'clump', or take 'surface smooth' for all");
-  if (!is_multisphere && body_.clump())
+  if (ellipsoid_host::has_surface(*force, "smooth") && body_.clump())
     error->fix_error(FLERR, this,
                      "keyword 'clump': clumps have no smooth surface; use 'surface multisphere' of "
                      "pair_style gran/ellipsoid");
@@ -213,7 +207,7 @@ void FixParticletemplateEllipsoid::check_combination(bool has_semiaxes, bool has
 }
 
 void FixParticletemplateEllipsoid::derive_sizes_and_masses(bool has_moments) {
-  semiaxes_ *= force->cg(atom_type);
+  semiaxes_ *= ellipsoid_host::coarse_graining(*force, atom_type);
   volume_expect = variations_.mean_volume(body_.volume(semiaxes_));
   if (density_ > 0.0)
     mass_ = density_ * body_.volume(semiaxes_);
@@ -353,7 +347,7 @@ void FixParticletemplateEllipsoid::randomize_ptilist(int n_random, int distribut
   for (int i = 0; i < n_random; ++i) {
     randomize(static_cast<ParticleToInsertEllipsoid&>(*pti_list[i]));
     pti_list[i]->groupbit = groupbit | distribution_groupbit;
-    pti_list[i]->distorder = distorder;
+    ellipsoid_host::set_order(*pti_list[i], distorder);
   }
 }
 

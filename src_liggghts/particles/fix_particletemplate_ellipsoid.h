@@ -9,7 +9,7 @@ FixStyle(particletemplate/ellipsoid,FixParticletemplateEllipsoid)
 #ifndef LMP_FIX_PARTICLETEMPLATE_ELLIPSOID_H
 #define LMP_FIX_PARTICLETEMPLATE_ELLIPSOID_H
 
-#include "fix_template_sphere.h"
+#include "host_template.h"
 #include "math/vector3.h"
 #include "multisphere/multisphere_template.h"
 #include "particle_to_insert_ellipsoid.h"
@@ -26,7 +26,7 @@ class ArgumentReader;
 
 namespace LAMMPS_NS {
 
-class FixParticletemplateEllipsoid : public FixTemplateSphere {
+class FixParticletemplateEllipsoid : public ellipsoid_host::HostTemplate {
  public:
   FixParticletemplateEllipsoid(class LAMMPS* lmp, int narg, char** arg);
   ~FixParticletemplateEllipsoid() override;

@@ -11,13 +11,13 @@
 #include "fix_particletemplate_ellipsoid.h"
 #include "fix_property_atom.h"
 #include "force.h"
+#include "host_pair.h"
 #include "host_variants.h"
 #include "insertion/body_in_space.h"
 #include "insertion/occupied_space.h"
 #include "math_extra_liggghts.h"
 #include "modify.h"
 #include "multisphere_particles.h"
-#include "pair_gran.h"
 #include "random_park.h"
 #include "region.h"
 #include "room_in_region.h"
@@ -63,9 +63,7 @@ struct Box {
 class InsertionSpace : private Pointers {
  public:
   explicit InsertionSpace(LAMMPS* lmp)
-      : Pointers(lmp), chains_(lmp),
-        of_spheres_(static_cast<PairGran*>(force->pair_match("gran/ellipsoid", 1))
-                        ->contact_match("surface", "multisphere")) {}
+      : Pointers(lmp), chains_(lmp), of_spheres_(has_surface(*force, "multisphere")) {}
 
   void load(BoundingBox& reached, double largest_radius);
   void stay_within(Region* region) { within_ = region; }
@@ -311,8 +309,7 @@ void random_place(Region* region, ParticleToInsert* particle, double* centre) {
 }
 
 int try_orientations(ParticleToInsert* particle, double* centre, double* velocity, double* omega,
-                     double* quaternion, RegionNeighborList<interpolate_no>& near,
-                     RanPark* random) {
+                     double* quaternion, NearBodies& near, RanPark* random) {
   auto* body = dynamic_cast<ParticleToInsertEllipsoid*>(particle);
   // while room is easy to find, orientations stay those of random sequential addition
   constexpr int refusals_before = 100;

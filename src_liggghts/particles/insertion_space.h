@@ -7,8 +7,8 @@
 // never meet.
 #pragma once
 
+#include "host_insertion.h"
 #include "math/vector3.h"
-#include "region_neighbor_list.h"
 
 namespace LAMMPS_NS {
 class BoundingBox;
@@ -49,8 +49,7 @@ void random_place(LAMMPS_NS::Region* region, LAMMPS_NS::ParticleToInsert* partic
 /// particle->check_near_set_x_v_omega() does.
 /// @param[out] quaternion the last one that was tried
 int try_orientations(LAMMPS_NS::ParticleToInsert* particle, double* centre, double* velocity,
-                     double* omega, double* quaternion,
-                     LAMMPS_NS::RegionNeighborList<LAMMPS_NS::interpolate_no>& near,
+                     double* omega, double* quaternion, NearBodies& near,
                      LAMMPS_NS::RanPark* random);
 
 /// Says by name which templates could not be placed in full; stops if an insertion that is made

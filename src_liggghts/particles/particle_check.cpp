@@ -6,11 +6,11 @@
 #include "error.h"
 #include "fix_property_atom.h"
 #include "force.h"
+#include "host_pair.h"
 #include "lammps.h"
 #include "modify.h"
 #include "multisphere/clump_template.h"
 #include "multisphere_particles.h"
-#include "pair_gran.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,8 +64,7 @@ bool is_clump(const LAMMPS& lmp, int i) {
 /// Of a restart file, perhaps, whose numbers of sub-spheres nothing in the script has taken up.
 bool may_be_clump(const LAMMPS& lmp, int i) {
   const Atom& atom = *lmp.atom;
-  auto* pair = static_cast<PairGran*>(lmp.force->pair_match("gran/ellipsoid", 1));
-  return pair && pair->contact_match("surface", "multisphere") &&
+  return ellipsoid_host::has_surface(*lmp.force, "multisphere") &&
          !ellipsoid_host::subsphere_properties(lmp.modify)[1] &&
          !bounds(atom.radius[i], atom.shape[i], false) &&
          bounds(atom.radius[i], atom.shape[i], true);

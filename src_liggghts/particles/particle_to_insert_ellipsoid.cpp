@@ -14,7 +14,7 @@ using ellipsoid_host::store;
 
 int ParticleToInsertEllipsoid::check_near_set_x_v_omega(double* x, double* v, double* omega,
                                                         double* quat,
-                                                        RegionNeighborList<interpolate_no>& near) {
+                                                        ellipsoid_host::NearBodies& near) {
   if (has_orientation)
     store(orientation, quat);
   if (!ellipsoid_host::asks_for_room(this))
@@ -22,7 +22,7 @@ int ParticleToInsertEllipsoid::check_near_set_x_v_omega(double* x, double* v, do
   if (!ellipsoid_host::occupy(*this, x, quat))
     return 0;
   // particles of the host's templates find room by this list
-  near.insert_superquadric(x, radius_ins[0], quat, shape_ins, blockiness_ins);
+  ellipsoid_host::add_body(near, *this, x, quat);
   return ParticleToInsertSuperquadric::set_x_v_omega(x, v, omega, quat);
 }
 

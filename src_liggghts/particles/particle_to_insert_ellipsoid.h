@@ -3,8 +3,8 @@
 // One particle of fix particletemplate/ellipsoid on its way into the simulation.
 #pragma once
 
+#include "host_insertion.h"
 #include "math/vector3.h"
-#include "particleToInsertSuperquadric.h"
 
 namespace LAMMPS_NS {
 
@@ -13,7 +13,7 @@ class ParticleToInsertEllipsoid : public ParticleToInsertSuperquadric {
  public:
   explicit ParticleToInsertEllipsoid(class LAMMPS* lmp) : ParticleToInsertSuperquadric(lmp) {}
   int check_near_set_x_v_omega(double* x, double* v, double* omega, double* quat,
-                               RegionNeighborList<interpolate_no>& near) override;
+                               ellipsoid_host::NearBodies& near) override;
   int set_x_v_omega(double* x, double* v, double* omega, double* quat) override;
   int insert() override;
 

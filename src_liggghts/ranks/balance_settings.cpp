@@ -5,6 +5,7 @@
 #include "domain.h"
 #include "error.h"
 #include "fix.h"
+#include "host_variants.h"
 #include "lammps.h"
 #include "modify.h"
 
@@ -46,7 +47,7 @@ void check_shifts_are_possible(LAMMPS_NS::LAMMPS* lmp, const std::string& comman
       refuse(std::string("does not hand the bodies of 'fix ") + style +
              "' from rank to rank; remove one of the two");
   }
-  if (lmp->comm->exchangeEvents)
+  if (ellipsoid_host::follows_exchange(*lmp->comm))
     refuse("a fix follows which particles go from rank to rank; remove one of the two");
 }
 

@@ -53,11 +53,12 @@ FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg,
     : HostWall(lmp, narg, arg), // which leaves iarg_ where the settings of the models begin
       law_(ellipsoid_host::wall_law(lmp, narg, arg, iarg_)),
       kind_(ellipsoid_host::wall_kind(narg, arg)), cylinder_(cylinder), meshes_(lmp) {
-  const bool multisphere = impl->contact_match("surface", "multisphere");
-  if (!multisphere && !impl->contact_match("surface", "smooth"))
+  const bool multisphere = models().contact_match("surface", "multisphere");
+  if (!multisphere && !models().contact_match("surface", "smooth"))
     error->fix_error(FLERR, this,
                      "needs 'surface smooth' or 'surface multisphere' among the models; add it");
-  const std::string complaint = LCM::unsuitable_model(*impl) + LCM::unsuitable_setting(narg, arg);
+  const std::string complaint =
+      LCM::unsuitable_model(models()) + LCM::unsuitable_setting(narg, arg);
   if (!complaint.empty())
     error->fix_error(FLERR, this, complaint.c_str());
   const ellipsoid_host::ModelSettings settings(narg - iarg_, arg + iarg_);
@@ -108,7 +109,7 @@ void FixWallGranEllipsoid::choose_laws(const ellipsoid_host::ModelSettings& sett
   int next = 0;
   forces_.models().choose(
       [this](const std::string& kind, const std::string& name) {
-        return impl->contact_match(kind, name);
+        return models().contact_match(kind, name);
       },
       settings, [&next](const std::string&) { return (next += of_a_law) - of_a_law; });
   if (forces_.models().run_in_batches() && next != dnum())
@@ -127,7 +128,7 @@ template <class Bodies> void FixWallGranEllipsoid::choose_finder() {
     finder_.reset(new CylinderContactFinder<Bodies>(lmp, cylinder_.axis, cylinder_.radius,
                                                     vector(cylinder_.centre)));
   else
-    finder_.reset(new PlaneContactFinder<Bodies>(lmp, *primitiveWall_));
+    finder_.reset(new PlaneContactFinder<Bodies>(lmp, primitive_wall()));
 }
 
 void FixWallGranEllipsoid::post_create() {
@@ -145,8 +146,8 @@ void FixWallGranEllipsoid::post_create() {
   for (std::string& word : words)
     arguments.push_back(&word[0]);
   modify->add_fix(static_cast<int>(arguments.size()), arguments.data());
-  fix_history_primitive_ = static_cast<FixPropertyAtom*>(modify->find_fix_property(
-      name.c_str(), "property/atom", "vector", history_.size(), 0, style));
+  set_history(static_cast<FixPropertyAtom*>(modify->find_fix_property(
+      name.c_str(), "property/atom", "vector", history_.size(), 0, style)));
 }
 
 /// Refuses a second command of the same ID: the host would replace the first in its list of fixes,
@@ -169,24 +170,29 @@ void FixWallGranEllipsoid::init() {
                        "has one contact at a seam by itself: remove 'weighted_wall_formulation' "
                        "from its meshes");
   forces_.models().connect(force->registry, force->nktv2p == 1.0);
-  in_batches_ = obstacle_to_batches().empty();
+  choose_way();
 }
 
 /// The host finds out here, after the forces of the set-up, whether heat goes through the wall.
 void FixWallGranEllipsoid::setup(int vflag) {
   FixWallGran::setup(vflag);
+  choose_way();
+}
+
+/// Whether forces are computed in batches; says so if that has changed.
+void FixWallGranEllipsoid::choose_way() {
   const std::string obstacle = obstacle_to_batches();
   in_batches_ = obstacle.empty();
   batch_notice_.tell(*lmp, "fix wall/gran/ellipsoid (id " + std::string(id) + ")", obstacle);
 }
 
 /// Why the forces of this run do not go through batches, or an empty string.
-std::string FixWallGranEllipsoid::obstacle_to_batches() const {
+std::string FixWallGranEllipsoid::obstacle_to_batches() {
   if (heattransfer_flag_)
     return "heat does not run in batches";
   if (fix_rigid_)
     return "particles of rigid bodies do not run in batches";
-  if (store_force_contact_ || store_force_contact_stress_ || store_sum_normal_force())
+  if (stores_of_contacts())
     return "what is stored of single contacts does not run in batches";
   return forces_.models().obstacle();
 }
@@ -203,7 +209,7 @@ void FixWallGranEllipsoid::post_force_primitive(int) {
   if (neighbor->ago == 0 || may_touch_.size() != count)
     may_touch_.assign(count, 1);
   int* near;
-  const int near_count = primitiveWall_->getNeighbors(near);
+  const int near_count = primitive_wall().getNeighbors(near);
   for (int k = 0; k < near_count; ++k)
     if (atom->mask[near[k]] & groupbit)
       find_and_apply_contacts(near[k]);
@@ -271,7 +277,7 @@ bool FixWallGranEllipsoid::find_and_apply_contacts(int i) {
 ellipsoid_host::WallHistory::Rows FixWallGranEllipsoid::history_of(int i) {
   const bool has_more =
       static_cast<int>(contacts_.size()) > history_.slots() || !more_history_.of(i).empty();
-  return {fix_history_primitive_->array_atom[i], has_more ? &more_history_.at(i) : &no_more_};
+  return {history_values(i), has_more ? &more_history_.at(i) : &no_more_};
 }
 
 /// @param[in] weight of the force in the sum
@@ -361,7 +367,8 @@ void FixWallGranEllipsoid::apply_by_models(int i, const WallContact& contact, do
   FixMeshSurface* mesh = nullptr;
   if (contact.triangle >= 0) {
     mesh = FixMesh_list_[meshes_.near(contact.triangle).mesh];
-    prepare_for_mesh(i, contact, mesh, data);
+    atom_type_wall_ = mesh->atomTypeWall();
+    ellipsoid_host::note_triangle(mesh, i, meshes_.near(contact.triangle).id);
   }
   const Vector3 velocity = velocity_of_wall(i, contact);
   double wall_velocity[3];
@@ -369,9 +376,8 @@ void FixWallGranEllipsoid::apply_by_models(int i, const WallContact& contact, do
   set_spheres(contact.sphere, -1, weight);
   const Vector3 force = vector(f_[i]), torque = vector(atom->torque[i]);
   const Heat heat = present_heat(i);
-  impl->compute_force(
-      this, data, true, wall_velocity, nullptr, mesh ? meshes_.near(contact.triangle).mesh : 0,
-      mesh ? mesh->triMesh() : nullptr, mesh ? meshes_.near(contact.triangle).index : 0);
+  apply_models(data, wall_velocity, mesh, mesh ? meshes_.near(contact.triangle).mesh : 0,
+               mesh ? meshes_.near(contact.triangle).index : 0);
   if (weight != 1.0)
     weigh(i, force, torque, weight);
   if (heattransfer_flag_)
@@ -380,17 +386,6 @@ void FixWallGranEllipsoid::apply_by_models(int i, const WallContact& contact, do
     report_to_mesh({i, 0, nullptr, weight, contact, velocity, meshes_.near(contact.triangle).mesh,
                     meshes_.near(contact.triangle).index},
                    vector(f_[i]) - force);
-}
-
-/// What the host keeps per mesh: material, force storage, and the list of triangles touched.
-void FixWallGranEllipsoid::prepare_for_mesh(int i, const WallContact& contact, FixMeshSurface* mesh,
-                                            LCM::SurfacesIntersectData& data) {
-  data.mesh = mesh->triMesh();
-  data.fix_mesh = mesh;
-  atom_type_wall_ = mesh->atomTypeWall();
-  fix_wallforce_contact_ = mesh->meshforceContact();
-  fix_wallforce_contact_stress_ = mesh->meshforceContactStress();
-  ellipsoid_host::note_triangle(mesh, i, meshes_.near(contact.triangle).id);
 }
 
 void FixWallGranEllipsoid::weigh(int i, const Vector3& force, const Vector3& torque,

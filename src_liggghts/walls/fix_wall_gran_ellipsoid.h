@@ -87,7 +87,8 @@ class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
                        const ellipsoid_host::WallCylinder& cylinder);
   template <class Bodies> void choose_finder();
   void choose_laws(const ellipsoid_host::ModelSettings& settings);
-  std::string obstacle_to_batches() const;
+  std::string obstacle_to_batches();
+  void choose_way();
   void begin_forces();
   void forget_far_contacts();
   ellipsoid::Vector3 primitive_velocity(const ellipsoid::Vector3& point) const;
@@ -102,8 +103,6 @@ class FixWallGranEllipsoid : public ellipsoid_host::HostWall,
   void record(const ellipsoid_host::ContactWithWall& contact, const ellipsoid::Vector3& force);
   void apply_by_models(int particle, const ellipsoid::WallContact& contact, double* history,
                        double weight);
-  void prepare_for_mesh(int particle, const ellipsoid::WallContact& contact, FixMeshSurface* mesh,
-                        LCM::SurfacesIntersectData& data);
   void weigh(int particle, const ellipsoid::Vector3& force, const ellipsoid::Vector3& torque,
              double weight);
   /// Into a particle (power), and from the whole wall so far (energy).

@@ -4,9 +4,11 @@
 // of them that the host keeps to itself.
 #pragma once
 
-#include "lammps.h"
-
 #include <string>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
 
 namespace ellipsoid_host {
 

@@ -42,7 +42,7 @@ def styles(sources):
 
 
 def sources_of(header, sources):
-    """The text that makes up a style: its files and what they include, but no other style."""
+    """The text that makes up a style: its files and what they include of their room, but no other style."""
     other_styles = set(styles(sources).values()) - {header}
     todo, done = [header], set()
     while todo:
@@ -51,7 +51,9 @@ def sources_of(header, sources):
             continue
         done.add(name)
         todo.append(name[:-2] + ".cpp" if name.endswith(".h") else name[:-4] + ".h")
-        todo += re.findall(r'^#include "([\w.]+)"', sources[name], re.MULTILINE)
+        room = name.rpartition("/")[0]
+        todo += [f"{room}/{included}" if room else included
+                 for included in re.findall(r'^#include "([\w.]+)"', sources[name], re.MULTILINE)]
     return "\n".join(sources[name] for name in sorted(done))
 
 

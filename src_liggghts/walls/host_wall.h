@@ -5,14 +5,46 @@
 
 #include "atom.h"
 #include "fix_wall_gran.h"
+#include "host_contact.h"
 #include "host_heat.h"
 #include "host_variants.h"
+
+#ifdef ELLIPSOID_HOST_PFM
+#include "pfm_wall.h"
+#else
 
 namespace ellipsoid_host {
 
 class HostWall : public LAMMPS_NS::FixWallGran {
  protected:
   HostWall(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : FixWallGran(lmp, narg, arg) {}
+
+  /// The contact models, which have contact_match(kind, name).
+  auto& models() { return *impl; }
+  LAMMPS_NS::PrimitiveWall& primitive_wall() { return *primitiveWall_; }
+  /// The values that the wall keeps of each particle's contacts; the host deletes the fix with the
+  /// wall.
+  void set_history(LAMMPS_NS::FixPropertyAtom* fix) { fix_history_primitive_ = fix; }
+  double* history_values(int particle) { return fix_history_primitive_->array_atom[particle]; }
+  /// Forces or stresses of single contacts, or sums of normal forces.
+  bool stores_of_contacts() {
+    return store_force_contact_ || store_force_contact_stress_ || store_sum_normal_force();
+  }
+
+  /// Calls the contact models.
+  /// @param[in] mesh its number, and the triangle's, are of use only with it; null: a primitive
+  /// wall
+  void apply_models(LCM::SurfacesIntersectData& data, double* wall_velocity,
+                    LAMMPS_NS::FixMeshSurface* mesh, int mesh_number, int triangle) {
+    if (mesh) {
+      data.mesh = mesh->triMesh();
+      data.fix_mesh = mesh;
+      fix_wallforce_contact_ = mesh->meshforceContact();
+      fix_wallforce_contact_stress_ = mesh->meshforceContactStress();
+    }
+    impl->compute_force(this, data, true, wall_velocity, nullptr, mesh ? mesh_number : 0,
+                        mesh ? mesh->triMesh() : nullptr, mesh ? triangle : 0);
+  }
 
   /// When a run is set up: stops where the area of a contact is one that ellipsoids do not have.
   void check_heat() {
@@ -53,3 +85,5 @@ class HostWall : public LAMMPS_NS::FixWallGran {
 };
 
 } // namespace ellipsoid_host
+
+#endif
