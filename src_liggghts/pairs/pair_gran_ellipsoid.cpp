@@ -34,7 +34,6 @@
 using namespace LAMMPS_NS;
 using namespace LIGGGHTS::ContactModels;
 using namespace ellipsoid_host;
-using LIGGGHTS::IContactHistorySetup;
 
 namespace {
 
