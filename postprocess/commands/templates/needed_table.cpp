@@ -74,7 +74,8 @@ Table ratio_table(const std::vector<double>& ratios, const std::vector<int>& cou
       row.push_back({"subspheres", "N", "", static_cast<std::int64_t>(count)});
       row.push_back({"spacing", "spacing", "", word_of(spacing)});
       try {
-        append_comparison(row, make_ellipsoid_spheres(shape, count, spacing),
+        const SphereSet set = make_ellipsoid_spheres(shape, count, spacing);
+        append_comparison(row, measure_union(set), set,
                           {solid_ellipsoid(shape), shape.z, "c", shape});
       } catch (const std::invalid_argument& error) {
         clear_progress_line();

@@ -1,12 +1,10 @@
 // Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 #include "set_comparison.h"
 
-#include "multisphere/union_measures.h"
-
 namespace ellipsoid::post {
 
-void append_comparison(Row& row, const SphereSet& set, const Target& target) {
-  const UnionMeasures m = measure_union(set);
+void append_comparison(Row& row, const UnionMeasures& m, const SphereSet& set,
+                       const Target& target) {
   const Solid& solid = *target.solid;
   const OutlineDistances d = outline_distances(set, solid);
   const auto length = [&](const char* key, const char* name, double value) {

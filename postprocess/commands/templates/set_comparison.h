@@ -3,6 +3,7 @@
 // Columns of tables that put a set of spheres beside its body.
 #pragma once
 
+#include "multisphere/union_measures.h"
 #include "sphere_set_measures.h"
 #include "table.h"
 
@@ -20,7 +21,9 @@ struct Target {
 };
 
 /// Volume, surface, distances of the outlines, moments, each as a share of the body's.
+/// @param[in] m of the set
 /// @param[in] target has a solid
-void append_comparison(Row& row, const SphereSet& set, const Target& target);
+void append_comparison(Row& row, const UnionMeasures& m, const SphereSet& set,
+                       const Target& target);
 
 } // namespace ellipsoid::post

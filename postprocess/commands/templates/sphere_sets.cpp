@@ -191,7 +191,7 @@ Table table_of(const std::vector<NamedSet>& sets, const Target& target) {
     const Row measures = measures_row(m);
     row.insert(row.end(), measures.begin(), measures.end());
     if (target.solid)
-      append_comparison(row, set.spheres, target);
+      append_comparison(row, m, set.spheres, target);
     table.rows.push_back(std::move(row));
   }
   clear_progress_line();
