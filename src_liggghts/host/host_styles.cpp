@@ -198,7 +198,8 @@ constexpr UnsuitedStyles unsuited_styles[] = {
      "is not shown to be right for ellipsoids; remove it"},
     {"region", "mesh/hex", "is not shown to be right for ellipsoids; remove it"},
     {"run_style", "verlet/implicit", "is not shown to be right for ellipsoids; remove it"},
-    {"command", "create_multisphere_clump extract_surface extrude_surface",
+    {"command",
+     "create_multisphere_clump extract_surface extrude_surface fix_update partitioner_style",
      "is not shown to be right for ellipsoids; remove it"},
 };
 
