@@ -111,6 +111,26 @@ TEST(SetVoronoi, ellipsoids_on_a_lattice_share_the_box) {
   EXPECT_NEAR(one.area / (2.0 * (0.7 * 0.4 + 0.7 * 0.5 + 0.4 * 0.5)), 1.0, 0.01);
 }
 
+/// Largest difference of a cell of a lattice from its mean cell (1).
+double unevenness(double unit) {
+  ParticleSet set;
+  const Vector3 s{0.4 * unit, 0.3 * unit, 0.25 * unit};
+  for (int n = 0; n < 27; ++n)
+    set.particles.push_back(body({unit * (n % 3), unit * (n / 3 % 3), unit * (n / 9)}, s));
+  const double edge = 3.0 * unit, volume = unit * unit * unit;
+  SetVoronoiOptions fine;
+  fine.spacing = 0.15;
+  double largest = 0.0;
+  for (const SetVoronoiCell& c : set_voronoi(set, box(edge, edge, edge), fine))
+    largest = std::max(largest, std::abs(c.volume / volume - 1.0));
+  return largest;
+}
+
+TEST(SetVoronoi, cells_do_not_depend_on_the_unit_of_length) {
+  for (const double unit : {1.0, 1e-3, 1e-6})
+    EXPECT_LT(unevenness(unit), 1e-9) << unit;
+}
+
 /// Shares of the box by random points: each belongs to the nearest surface.
 void expect_shares(const ParticleSet& set, const PeriodicCell& cell,
                    const std::vector<SetVoronoiCell>& cells) {

@@ -203,7 +203,7 @@ std::vector<CellSums> sums_in_tilted_box(Seeds seeds, const PeriodicCell& cell, 
 
 /// Cells fill the box: what does not is a fault of this program.
 void require_whole_box(const std::vector<CellSums>& sums, const PeriodicCell& cell) {
-  constexpr double rounding = 1.0e-5; // bodies on a lattice: corners of many cells coincide, 1e-6
+  constexpr double rounding = 1.0e-6;
   double whole = 0.0;
   for (const CellSums& one : sums)
     whole += one.volume;
@@ -225,6 +225,28 @@ void check(const PeriodicCell& cell) {
     throw InputError("Voronoi cells in a tilted box need a box that is periodic along x, y and z");
 }
 
+/// The sums of each particle's cell, with the mean distance of the points as the unit of length:
+/// voro++ takes 1e-11 for nothing, whatever the unit.
+std::vector<CellSums> sums_of(Seeds seeds, const PeriodicCell& cell, std::size_t count) {
+  const double unit = std::cbrt(cell.volume() / static_cast<double>(seeds.points.size()));
+  const double scale = 1.0 / unit;
+  for (std::vector<Vector3>* points : {&seeds.points, &seeds.in_bodies})
+    for (Vector3& point : *points)
+      point = scale * point;
+  seeds.least_room *= scale;
+  const PeriodicCell scaled(scale * cell.corner(),
+                            {scale * cell.edge(0), scale * cell.edge(1), scale * cell.edge(2)},
+                            {cell.is_periodic(0), cell.is_periodic(1), cell.is_periodic(2)});
+  std::vector<CellSums> sums = has_own_axes(cell) ? sums_in_tilted_box(seeds, scaled, count)
+                                                  : sums_in_box(seeds, scaled, count);
+  for (CellSums& one : sums) {
+    one.volume *= unit * unit * unit;
+    one.area *= unit * unit;
+    one.normals *= unit * unit;
+  }
+  return sums;
+}
+
 } // namespace
 
 std::vector<SetVoronoiCell> set_voronoi(const ParticleSet& set, const PeriodicCell& cell,
@@ -234,8 +256,7 @@ std::vector<SetVoronoiCell> set_voronoi(const ParticleSet& set, const PeriodicCe
   check(cell);
   const Seeds seeds = seeds_of(set, cell, options);
   const std::size_t count = set.particles.size();
-  const std::vector<CellSums> sums =
-      has_own_axes(cell) ? sums_in_tilted_box(seeds, cell, count) : sums_in_box(seeds, cell, count);
+  const std::vector<CellSums> sums = sums_of(seeds, cell, count);
   require_whole_box(sums, cell);
   std::vector<SetVoronoiCell> cells;
   for (std::size_t i = 0; i < count; ++i) {
