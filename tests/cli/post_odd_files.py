@@ -51,6 +51,15 @@ def check_restarts():
     post("energy", "cut.dump", "--frame", 200, expect=1)
 
 
+def check_empty_last_frame():
+    """A last frame without particles is said by the commands that go through all frames, once."""
+    name = write("gone.dump", frame_text(0, [particle(1, 0.0, 0.01)]) + frame_text(100, [particle(1, 1e-3, 0.01)]) + frame_text(200, []))
+    for command in (("energy",), ("energy", "--frame", "all"), ("trajectory",), ("paraview", "-o", "all"), ("view", "-o", "gone.html")):
+        _, error = post(command[0], name, *command[1:])
+        assert error.count("gone.dump: the last frame, of time step 200, holds no particles") == 1, (command, error)
+    assert "holds no particles" not in post("energy", name, "--frame", 100)[1]
+
+
 def check_absence():
     """A particle that is away in one frame: its ways before and after are not joined."""
     place = lambda k, step: particle(k, 3e-3 * k + 1e-5 * step * k, 0.01)
@@ -343,6 +352,7 @@ def check_results_over_inputs():
 def main():
     check_line_ends()
     check_restarts()
+    check_empty_last_frame()
     check_absence()
     check_no_particle_stays()
     check_unknown_errors()

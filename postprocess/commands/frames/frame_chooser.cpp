@@ -33,13 +33,13 @@ int FrameChooser::read(const std::vector<std::string>& files) {
       code_ = exit_bad_data;
     }
   }
-  if (options_.frames == "last" && has_last_) {
-    if (last_.rows == 0)
-      report_warning(fmt::format("{}: the last frame, of time step {}, holds no particles", run_,
-                                 last_.timestep));
+  if (options_.frames == "last" && has_last_)
     hand_over(last_);
-  }
   collect_all();
+  if (seen_ > 0 && rows_of_last_ == 0 && (options_.frames == "last" || options_.frames == "all"))
+    report_warning(
+        fmt::format("{}: the last frame, of time step {}, holds no particles", run_, last_step_),
+        "last frame of " + run_);
   if (repeated_ > 0)
     report_error(fmt::format("{}: the same in {} more {}", run_, repeated_,
                              repeated_ == 1 ? "frame" : "frames"));
@@ -81,6 +81,7 @@ void FrameChooser::choose() {
                    "order of " + run_);
   first_step_ = seen_++ == 0 ? frame_.timestep : first_step_;
   last_step_ = frame_.timestep;
+  rows_of_last_ = frame_.rows;
   if (options_.frames == "last") {
     std::swap(frame_, last_);
     has_last_ = true;

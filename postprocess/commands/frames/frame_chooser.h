@@ -68,6 +68,7 @@ class FrameChooser {
   bool is_found_ = false;             ///< the frame of the time step that was asked for
   bool is_unreadable_ = false;        ///< rows of a frame that the threads have read
   std::size_t chosen_ = 0, seen_ = 0; ///< frames
+  std::size_t rows_of_last_ = 0;      ///< of the frames that were seen
   std::size_t rows_waiting_ = 0, text_waiting_ = 0; ///< rows, bytes
   std::int64_t first_step_ = 0, last_step_ = 0;     ///< of the frames that were seen
   std::deque<Waiting> waiting_;              ///< frames that are being measured, oldest first
