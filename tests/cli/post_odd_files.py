@@ -60,6 +60,19 @@ def check_empty_last_frame():
     assert "holds no particles" not in post("energy", name, "--frame", 100)[1]
 
 
+def check_sides_not_said():
+    """Dumps of older programs do not say whether the box repeats: said, unless the user does."""
+    name = write("sides.dump", frame_text(0, [particle(1, 0.0, 0.01), particle(2, 0.01, 0.01)]))
+    text = open(name, encoding="ascii").read()
+    head = next(line for line in text.splitlines() if line.startswith("ITEM: BOX BOUNDS"))
+    write(name, text.replace(head, "ITEM: BOX BOUNDS"))
+    said = "sides.dump: the file does not say whether its box repeats"
+    for command in ("energy", "orientation", "contacts"):
+        assert post(command, name)[1].count(said) == 1
+        assert said not in post(command, name, "--periodic", "none")[1]
+        assert said not in post(command, write("said.dump", text))[1]
+
+
 def check_absence():
     """A particle that is away in one frame: its ways before and after are not joined."""
     place = lambda k, step: particle(k, 3e-3 * k + 1e-5 * step * k, 0.01)
@@ -353,6 +366,7 @@ def main():
     check_line_ends()
     check_restarts()
     check_empty_last_frame()
+    check_sides_not_said()
     check_absence()
     check_no_particle_stays()
     check_unknown_errors()

@@ -68,11 +68,24 @@ std::string FrameChooser::no_frame() const {
                          : fmt::format("time steps {} to {}", first_step_, last_step_));
 }
 
-void FrameChooser::choose() {
-  if (seen_ == 0 && !frame_.units.empty() && frame_.units != "si")
+/// What the first frame of a run leaves open, and how it is taken.
+void FrameChooser::say_what_is_assumed() const {
+  if (!frame_.units.empty() && frame_.units != "si")
     report_warning(fmt::format("{}: the file is in units '{}'; tables and pictures name those of "
                                "'si', the numbers are the file's",
                                run_, frame_.units));
+  const bool has_box = frame_.box.upper[0] > frame_.box.lower[0]; // VTK files have none
+  if (has_box && frame_.box.boundary.empty() && options_.particles.periodic.empty())
+    report_warning(
+        fmt::format("{}: the file does not say whether its box repeats (as pp behind BOX "
+                    "BOUNDS): taken as one that does not; --periodic says it",
+                    run_),
+        "sides of " + run_);
+}
+
+void FrameChooser::choose() {
+  if (seen_ == 0)
+    say_what_is_assumed();
   if (seen_ > 0 && frame_.timestep <= last_step_)
     report_warning(fmt::format("{}: frame {} of {} is of time step {}, after one of {}: frames are "
                                "repeated or not in the order of time",

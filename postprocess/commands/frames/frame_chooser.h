@@ -48,6 +48,7 @@ class FrameChooser {
 
   bool next_of(FrameStream& stream);
   std::string no_frame() const;
+  void say_what_is_assumed() const;
   void choose();
   void choose_step();
   void hand_over(Frame& frame);
