@@ -166,6 +166,8 @@ void draw_map_axes(Canvas& canvas, const MapAxis& x, const MapAxis& y, const Tab
 } // namespace
 
 std::string label_of_key(const std::string& key) {
+  if (key.size() == 3 && key[1] == '_') // b_a: the ratio of two semi-axes
+    return {key[0], '/', key[2]};
   auto [words, unit] = parts_of_key(key);
   std::replace(words.begin(), words.end(), '_', ' ');
   return unit.empty() ? words : words + " (" + unit_in_words(unit) + ")";
