@@ -48,10 +48,12 @@ bool begins_with(const std::string& text, const std::string& begin) {
   return text.compare(0, begin.size(), begin) == 0;
 }
 
-/// One more mesh may come behind those that were there.
+/// Meshes may come behind those that were there, or go from behind the others: contacts know their
+/// mesh by its number.
 bool is_same_kind(const std::string& former, const std::string& present) {
   return former == present ||
-         (begins_with(former, "meshes ") && begins_with(present, former + " "));
+         (begins_with(former, "meshes ") && begins_with(present, "meshes ") &&
+          (begins_with(present, former + " ") || begins_with(former, present + " ")));
 }
 
 } // namespace
@@ -76,7 +78,7 @@ void ellipsoid_host::compare_with_restart(LAMMPS* lmp, const std::string& id, co
       const std::string former = line.substr(6 + id.size());
       if (!is_same_kind(former, wall.kind()))
         refuse("of kind '" + former + "'", "'" + wall.kind() + "'",
-               begins_with(former, "meshes ") ? ", to which meshes may be added at the end" : "");
+               begins_with(former, "meshes ") ? ", where meshes may come or go at the end" : "");
     }
   }
 }

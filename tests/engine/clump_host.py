@@ -33,7 +33,8 @@ def words(values):
 def body_frame():
     """The hook about its centre of mass, along its principal axes (5, 4), written by the engine."""
     Path("hook.csv").write_text("\n".join(words(row) for row in HOOK))
-    run(Setup(box=BOX).without_particles() + TEMPLATE + "clump hook.csv write_clump hook.body\n")
+    setup = Setup(box=BOX, pair=f"gran/ellipsoid {LAW} surface multisphere")
+    run(setup.without_particles() + TEMPLATE + "clump hook.csv write_clump hook.body\n")
     return np.loadtxt("hook.body", delimiter=",", skiprows=3)
 
 

@@ -120,7 +120,7 @@ class RestartPairStyle(unittest.TestCase):
             run(text.replace("zplane 0.0", place) + "run 1\n", name="in.wall")
 
     def test_a_wall_of_another_kind(self):
-        """Of the same ID: its contacts are others. Meshes may be added behind those of the file."""
+        """Of the same ID: its contacts are others. Behind the others meshes may be added, or taken away."""
         self.whole("smooth", f"{LAW} surface smooth", LAW)
         text = script("smooth", None, "half.restart")
         mesh = "fix {0} all mesh/surface file floor.stl type 1 move 0 0 {1}\n"
@@ -151,10 +151,15 @@ class RestartPairStyle(unittest.TestCase):
         self.assertIsNotNone(other("zplane", on("low")))
         start = script("smooth", f"{LAW} surface smooth")
         run(re.sub("fix floor.*\n", on("low", "lower"), start) + "run 300\nwrite_restart half.restart\n", name="in.mesh")
-        for meshes in (("lower", "low"), ("lowest", "low", "lower"), ("low",), ("low", "lowest")):
+        for meshes in (("lower", "low"), ("lowest", "low", "lower"), ("lower",), ("low", "lowest")):
             self.assertIsNotNone(other("meshes low lower", on(*meshes)), meshes)
         self.assertIsNone(other("", on("low", "lower")))
         self.assertIsNone(other("", on("low", "lower", "lowest")))
+        energies = set()
+        for meshes in (("low",), ("low", "lower"), ("low", "lower", "lowest")):
+            goes_on = re.sub("fix floor.*\n", on(*meshes), text) + "variable k equal ke\nrun 200\nprint 'energy ${k}'\n"
+            energies.update(re.findall("^energy (.*)$", run(goes_on, name="in.wall").text, re.M))
+        self.assertEqual(len(energies), 1, "the springs on the first mesh are the same")
 
     def test_other_numbers_of_subspheres(self):
         """They belong to the particles: those of the file keep theirs, a template of other N is named."""
