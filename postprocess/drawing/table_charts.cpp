@@ -110,17 +110,11 @@ MapAxis map_axis(const std::vector<double>& values, const std::string& key, doub
   return {*range.first - 0.5 * step, *range.second + 0.5 * step, step, begin, end};
 }
 
-std::vector<double> abscissae(const std::vector<MapPoint>& points) {
+/// One coordinate of all points.
+std::vector<double> values_of(const std::vector<MapPoint>& points, double MapPoint::*coordinate) {
   std::vector<double> values;
   for (const MapPoint& p : points)
-    values.push_back(p.x);
-  return values;
-}
-
-std::vector<double> ordinates(const std::vector<MapPoint>& points) {
-  std::vector<double> values;
-  for (const MapPoint& p : points)
-    values.push_back(p.y);
+    values.push_back(p.*coordinate);
   return values;
 }
 
@@ -246,8 +240,8 @@ std::string left_out_of_curves(const Table& table, const TableChart& what) {
 std::string left_out_of_map(const Table& table, const TableChart& what) {
   const std::vector<MapPoint> points = map_points(table, what);
   scale_of(points, what);
-  const MapAxis x = map_axis(abscissae(points), what.x);
-  const MapAxis y = map_axis(ordinates(points), what.y.front());
+  const MapAxis x = map_axis(values_of(points, &MapPoint::x), what.x);
+  const MapAxis y = map_axis(values_of(points, &MapPoint::y), what.y.front());
   std::set<std::pair<std::int64_t, std::int64_t>> filled;
   std::size_t values = 0;
   for (const MapPoint& p : points)
@@ -277,8 +271,10 @@ std::string draw_map(PictureFormat format, const Table& table, const TableChart&
   const ParticleColours scale = scale_of(points, what);
   const auto canvas = make_canvas(format, width, height);
   const double unit = height / 560.0;
-  const MapAxis x = map_axis(abscissae(points), what.x, 110.0 * unit, width - 30.0 * unit);
-  const MapAxis y = map_axis(ordinates(points), what.y.front(), height - 130.0 * unit, 50.0 * unit);
+  const MapAxis x =
+      map_axis(values_of(points, &MapPoint::x), what.x, 110.0 * unit, width - 30.0 * unit);
+  const MapAxis y =
+      map_axis(values_of(points, &MapPoint::y), what.y.front(), height - 130.0 * unit, 50.0 * unit);
   const double wide = x.at(x.step) - x.at(0.0), high = y.at(0.0) - y.at(y.step);
   for (const MapPoint& p : points) {
     if (!p.value)
