@@ -6,7 +6,9 @@
 
 #include "host_variants.h"
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace LIGGGHTS {
 namespace ContactModels {
@@ -31,17 +33,45 @@ constexpr UnsuitableModel unsuitable_models[] = {
     {"cohesion", "cohesion", "washino/capillary/viscous",
      "acts across a gap, which is not known for ellipsoids; use 'cohesion sjkr' or 'sjkr2'"},
 #ifdef ELLIPSOID_HOST_INL
-    {"cohesion", "cohesion", "sjkr",
-     "has another torque in LIGGGHTS-INL than in other LIGGGHTS; use no cohesion with this host"},
+    {"cohesion", "cohesion", "bond",
+     "acts across a gap, which is not known for ellipsoids; use 'cohesion sjkr' or 'sjkr2'"},
+    {"cohesion", "cohesion", "bond/nonlinear",
+     "acts across a gap, which is not known for ellipsoids; use 'cohesion sjkr' or 'sjkr2'"},
 #endif
     {"rolling_friction", "rolling_friction", "epsd3",
      "damps by the moment of inertia of spheres; use 'rolling_friction epsd'"},
 };
 
-/// These read what `model luding` keeps of a contact, without looking whether it is there.
-constexpr UnsuitableModel needs_model_luding[] = {
-    {"tangential", "tangential", "tan_luding", "needs 'model luding'"},
-    {"rolling_friction", "rolling_friction", "luding", "needs 'model luding'"},
+/// These read what another model finds of a contact, without looking whether it is there.
+struct DependentModel {
+  const char *kind, *keyword, *name;
+  const char *model, *or_model; ///< normal models, one of which is needed
+};
+
+constexpr DependentModel dependent_models[] = {
+    {"tangential", "tangential", "tan_luding", "luding", nullptr},
+    {"rolling_friction", "rolling_friction", "luding", "luding", nullptr},
+#ifdef ELLIPSOID_HOST_INL
+    {"tangential", "tangential", "hysteretic/nonlinear", "hysteretic/nonlinear1",
+     "hysteretic/nonlinear2"},
+#endif
+};
+
+/// The names of models in the arguments of a command: some of the host's models stop with words of
+/// their own as soon as they are made, for other surfaces than spheres.
+class NamedModels {
+ public:
+  NamedModels(int count, char** arguments) : words_(arguments, arguments + count) {}
+  bool contact_match(const std::string& kind, const std::string& name) const {
+    const std::string keyword = kind == "normal" ? "model" : kind;
+    for (std::size_t k = 0; k + 1 < words_.size(); ++k)
+      if (words_[k] == keyword && words_[k + 1] == name)
+        return true;
+    return false;
+  }
+
+ private:
+  std::vector<std::string> words_;
 };
 
 /// What is wrong with one of the chosen models, or an empty string.
@@ -51,9 +81,11 @@ template <typename Models> std::string unsuitable_model(Models& models) {
     if (models.contact_match(m.kind, m.name))
       return std::string(m.keyword) + " " + m.name + " does not work with ellipsoids: it " +
              m.reason_and_remedy;
-  for (const UnsuitableModel& m : needs_model_luding)
-    if (models.contact_match(m.kind, m.name) && !models.contact_match("normal", "luding"))
-      return std::string(m.keyword) + " " + m.name + " " + m.reason_and_remedy;
+  for (const DependentModel& m : dependent_models)
+    if (models.contact_match(m.kind, m.name) && !models.contact_match("normal", m.model) &&
+        !(m.or_model && models.contact_match("normal", m.or_model)))
+      return std::string(m.keyword) + " " + m.name + " needs 'model " + m.model + "'" +
+             (m.or_model ? std::string(" or 'model ") + m.or_model + "'" : std::string());
   return {};
 }
 

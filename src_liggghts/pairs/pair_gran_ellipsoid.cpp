@@ -66,7 +66,10 @@ void PairGranEllipsoid::create(int64_t variant) {
                       "after the other models; add it");
   models_ = make_models(lmp, this, variant);
   forces_ = std::make_unique<PairForces>(lmp, *this, *models_);
-  const std::string complaint = unsuitable_model(*models_);
+  refuse(unsuitable_model(*models_)); // of a restart file
+}
+
+void PairGranEllipsoid::refuse(const std::string& complaint) {
   if (!complaint.empty())
     error->all(FLERR, ("pair_style gran/ellipsoid: " + complaint).c_str());
 }
@@ -110,6 +113,7 @@ void PairGranEllipsoid::settings(int narg, char** arg) {
                       "before the second");
   for (int k = 0; k < narg; ++k)
     arguments_ += (k ? " " : "") + std::string(arg[k]);
+  const NamedModels names(narg, arg);
   const int64_t variant = select_models(narg, arg, lmp, force);
   if (variant == -1)
     error->all(FLERR,
@@ -118,10 +122,9 @@ void PairGranEllipsoid::settings(int narg, char** arg) {
                 ", in the order model, tangential, cohesion, "
                 "rolling_friction, surface; correct the names and their order")
                    .c_str());
+  refuse(unsuitable_model(names));
   create(variant);
-  const std::string complaint = unsuitable_setting(narg, arg);
-  if (!complaint.empty())
-    error->all(FLERR, ("pair_style gran/ellipsoid: " + complaint).c_str());
+  refuse(unsuitable_setting(narg, arg));
   read_settings(narg, arg);
 }
 

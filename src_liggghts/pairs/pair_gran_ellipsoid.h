@@ -98,6 +98,8 @@ class PairGranEllipsoid : public ellipsoid_host::HostPairStyle,
   int pages_[2] = {0, 0}; // neigh_modify page and one when a run was last set up
 
   void create(int64_t variant);
+  /// Stops with one line where there is a complaint.
+  void refuse(const std::string& complaint);
   void read_settings(int narg, char** arg);
   void check_pages();
   void shorten_lists();

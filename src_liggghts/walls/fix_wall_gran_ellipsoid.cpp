@@ -57,8 +57,7 @@ FixWallGranEllipsoid::FixWallGranEllipsoid(LAMMPS* lmp, int narg, char** arg,
   if (!multisphere && !models().contact_match("surface", "smooth"))
     error->fix_error(FLERR, this,
                      "needs 'surface smooth' or 'surface multisphere' among the models; add it");
-  const std::string complaint =
-      LCM::unsuitable_model(models()) + LCM::unsuitable_setting(narg, arg);
+  const std::string complaint = LCM::unsuitable_setting(narg, arg);
   if (!complaint.empty())
     error->fix_error(FLERR, this, complaint.c_str());
   const ellipsoid_host::ModelSettings settings(narg - iarg_, arg + iarg_);

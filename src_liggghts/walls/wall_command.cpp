@@ -3,6 +3,7 @@
 
 #include "atom.h"
 #include "ellipsoid_host.h"
+#include "ellipsoid_models.h"
 #include "fix.h"
 #include "model_names.h"
 #include "modify.h"
@@ -47,6 +48,13 @@ void check_meshes(LAMMPS_NS::LAMMPS* lmp, ArgumentReader& reader, int count) {
   }
 }
 
+/// What is wrong with one of the models, or an empty string; of unknown ones the host speaks.
+std::string wrong_model(LAMMPS_NS::LAMMPS* lmp, int count, char** words) {
+  const LIGGGHTS::ContactModels::NamedModels names(count, words);
+  const bool all_known = select_models(count, words, lmp, lmp->force) != -1;
+  return all_known ? unsuitable_model(names) : std::string();
+}
+
 } // namespace
 
 WallCylinder check_wall_command(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) {
@@ -68,6 +76,9 @@ WallCylinder check_wall_command(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) {
   }
   if (has_mesh && !lists_meshes)
     reader.complain("'mesh' names no meshes; add 'n_meshes N meshes ID1 ... IDN'");
+  const std::string complaint = wrong_model(lmp, narg - first_argument, arg + first_argument);
+  if (!complaint.empty())
+    reader.complain(complaint);
   return cylinder;
 }
 

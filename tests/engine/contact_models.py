@@ -17,7 +17,7 @@ import numpy as np
 
 from _contact_rows import (PAIR_COLUMNS, WALL_COLUMNS, WIDTH, crowd, crowd_setup, floor_and_lid, lists,
                            named, read_rows, refusal)
-from _engine import SPHERE_COLUMNS, Setup, dump, read_dump, run, vectors
+from _engine import SPHERE_COLUMNS, Setup, dump, host_is_inl, read_dump, run, vectors
 from _mesh import write_stl
 from _multisphere import subspheres
 from multisphere_sphere_limit import STEPS, TIME_STEP, impact
@@ -35,6 +35,10 @@ WITH_ROLLING = [
     *(f"model hertz tangential history rolling_friction {r}" for r in ("cdt", "epsd", "epsd2")),
     "model luding tangential tan_luding rolling_friction luding",
     f"{PAPER} cohesion sjkr rolling_friction cdt", f"{PAPER} rolling_friction epsd2"]
+if host_is_inl():
+    WITHOUT_ROLLING += ["model c2 tangential history",
+                        *(f"model hysteretic/nonlinear{k} tangential hysteretic/nonlinear" for k in (1, 2))]
+    WITH_ROLLING += [f"{PAPER} rolling_friction cdtnonlinear2"]
 COHESION_ENERGY_DENSITY = 2e5
 RELATIVE = 1e-10  # rounding, which two impacts have amplified
 PROPERTIES = {
@@ -46,6 +50,9 @@ PROPERTIES = {
     "LoadingStiffness": 1e4, "UnloadingStiffness": 3.0, "pullOffForce": 0.0,
     "coeffFrictionStiffness": 0.3, "coeffRollingStiffness": 0.2,
     "FluidViscosity": 0.9, "FrictionViscosity": 0.5}
+if host_is_inl():
+    PROPERTIES |= {"alphaCustom": 20.0, "cinCustom": 1e-7, "aoneCustom": 5e7, "atwoCustom": 1e6, "athreeCustom": 2.5,
+                   "kcinCustom": 0.1}
 LINEAR = {"kn": 1e4, "kt": 8e3, "gamman": 400.0, "gammat": 200.0}  # of hooke/stiffness
 
 
@@ -94,9 +101,13 @@ class SphereLimit(unittest.TestCase):
         with ThreadPoolExecutor(2) as pool:
             list(pool.map(lambda law: self.compare(law, RELATIVE), WITHOUT_ROLLING))
 
+    OF_INL = [(f"{WITHOUT_ROLLING[k]}", "limitForce off", True, {"coefficientAdhesionStiffness": 0.0}) for k in (-3, -2)]
+    OF_INL += [(WITH_ROLLING[-1], "torsionTorque on", False, {})]
+
     def test_settings(self):
         """Each setting of the host's models that works; it changes the motion, or the test says nothing."""
         for law, setting, floor, changed in (
+                *(self.OF_INL if host_is_inl() else ()),
                 ("model hooke tangential history", "viscous on", True,
                  {"CriticalStokes": 10.0, "MaximumRestitution": 0.9}),
                 ("model hooke tangential history", "ktToKnUser on", True, {}),
@@ -363,12 +374,20 @@ class Refused(unittest.TestCase):
              "cohesion washino/capillary/viscous", "sjkr"),
             ("model hertz tangential history rolling_friction epsd3", "rolling_friction epsd3",
              "epsd")]
+    if host_is_inl():
+        LAWS += [(f"model hertz tangential history cohesion {bond}", f"cohesion {bond}", "sjkr")
+                 for bond in ("bond", "bond/nonlinear")]
 
     def test_models_that_need_another(self):
-        for law, name in (("model hertz tangential tan_luding", "tan_luding"),
-                          ("model hertz tangential history rolling_friction luding", "luding")):
-            line = refusal("", Setup(pair=f"gran/ellipsoid {law} surface smooth"))
-            self.assertIn(f"{name} needs 'model luding'", line)
+        laws = [("model hertz tangential tan_luding", "tan_luding needs 'model luding'"),
+                ("model hertz tangential history rolling_friction luding", "luding needs 'model luding'")]
+        if host_is_inl():
+            laws += [("model hertz tangential hysteretic/nonlinear", "tangential hysteretic/nonlinear needs "
+                      "'model hysteretic/nonlinear1' or 'model hysteretic/nonlinear2'")]
+        for law, words in laws:
+            self.assertIn(words, refusal("", Setup(pair=f"gran/ellipsoid {law} surface smooth")))
+            self.assertIn(words, refusal(f"fix floor all wall/gran/ellipsoid {law} surface smooth primitive type 1 "
+                                         "zplane 0.0\n"))
 
     def test_settings_that_cannot_work(self):
         for law, keyword in (
@@ -413,6 +432,8 @@ class Complete(unittest.TestCase):
         tried = {tuple(pair) for law in laws for pair in re.findall(r"(\w+) (\S+)", law)}
         tried |= {("surface", name) for name in ("smooth", "multisphere")}
         unsuitable = {("surface", name) for name in ("default", "multicontact", "superquadric")}
+        if host_is_inl():
+            unsuitable |= {("surface", "superquadric/orthogonal")}
         registered = set()
         for header in (Path(os.environ["ELLIPSOID_BUILD"]) / "liggghts/patched/src").glob("*_model_*.h"):
             for kind, name in re.findall(r"^([A-Z]+)_MODEL\(\w+,\s*([^,]+?)\s*,", header.read_text(),
@@ -431,7 +452,7 @@ class Complete(unittest.TestCase):
         page = (Path(os.environ["ELLIPSOID_SOURCE"]) / "src_liggghts/doc/contact_models.md").read_text()
         code, settings = " ".join(re.findall(r"`([^`]+)`", page)), set()
         for header in (Path(os.environ["ELLIPSOID_BUILD"]) / "liggghts/patched/src").glob("*_model_*.h"):
-            if not re.search("edinburgh|thornton|capillary|epsd3|surface_model|viscous", header.name):  # refused, or our own
+            if not re.search("edinburgh|thornton|capillary|bond|epsd3|surface_model|viscous", header.name):  # refused, or our own
                 settings |= set(re.findall(r'register(?:OnOff|YesNo|DoubleSetting)\("(\w+)"', header.read_text()))
         self.assertGreater(len(settings), 12)
         self.assertEqual([s for s in sorted(settings) if not re.search(rf"\b{s}\b", code)], [])
