@@ -97,7 +97,7 @@ class Planner {
 
   /// Where the share `part / parts` of the weight of all columns is nearest.
   int even_plane(int part) const {
-    const double wanted = total_below_.back() * part / parts_;
+    const double all = total_below_.back(), wanted = std::min(all, all * part / parts_); // rounding
     const auto above = std::lower_bound(total_below_.begin(), total_below_.end(), wanted);
     const int plane = static_cast<int>(above - total_below_.begin());
     if (plane > 0 && wanted - total_below_[at(plane) - 1] < total_below_[at(plane)] - wanted)
