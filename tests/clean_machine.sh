@@ -56,6 +56,7 @@ mount_and_enter() {
   local root=$1 kept=$2 suite=$3
   shift 3
   mount -t proc proc "$root/proc"
+  mount --bind -o ro /sys "$root/sys"
   mount -t tmpfs dev "$root/dev"
   for device in null zero full random urandom tty; do
     touch "$root/dev/$device"

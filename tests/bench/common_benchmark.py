@@ -101,7 +101,8 @@ def main():
     parser.add_argument("--turns", type=int, default=5)
     parser.add_argument("--steps", type=int, default=300, help="that are timed")
     options = parser.parse_args()
-    os.environ.setdefault("OMPI_MCA_hwloc_base_binding_policy", "none")
+    for name in ("OMPI_MCA_hwloc_base_binding_policy", "PRTE_MCA_hwloc_default_binding_policy"):
+        os.environ.setdefault(name, "none")
     print("| case | shape | particles | ns per particle and step | ratio to the host's spheres |\n|---|---|---|---|---|")
     for name in options.cases:
         measure(options.engine.resolve(), name, options.out, options.aspect, options.turns, options.steps)

@@ -18,5 +18,6 @@ cmake --build "$build" --target liggghts ellipsoid-post >"$build/bench.log" || {
 # Open MPI refuses to start as root or with more ranks than cores unless told to.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
+export PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe PRTE_MCA_hwloc_default_binding_policy=none
 export PYTHONDONTWRITEBYTECODE=1
 exec "${python:-python3}" "$here/bench.py" --engine "$build/bin/liggghts" --out "$build/bench" "$@"

@@ -7,6 +7,8 @@ import math
 import os
 import subprocess
 
+import _plain_numbers  # noqa: F401
+
 POST = os.path.join(os.environ["ELLIPSOID_BIN"], "ellipsoid-post")
 SLOWNESS = int(os.environ.get("ELLIPSOID_SLOWNESS", "1"))  # of this build; 1: optimised
 COLUMNS = ("id type mass x y z vx vy vz omegax omegay omegaz quat1 quat2 quat3 quat4 "

@@ -3,6 +3,7 @@
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -22,10 +23,13 @@ SYMBOL = re.compile(r"(?:\w+::)*(\w+)(?:\(\)|<.*>)?")
 
 
 def tracked_files():
-    listed = subprocess.run(["git", "-C", ROOT, "ls-files"], capture_output=True, text=True)
-    if listed.returncode == 0 and listed.stdout:
-        return listed.stdout.split("\n")[:-1]
-    return [str(file.relative_to(ROOT)) for file in ROOT.rglob("*") if file.is_file()]
+    """Without git: all files but those of builds."""
+    if shutil.which("git"):
+        listed = subprocess.run(["git", "-C", ROOT, "ls-files"], capture_output=True, text=True)
+        if listed.returncode == 0 and listed.stdout:
+            return listed.stdout.split("\n")[:-1]
+    files = (file.relative_to(ROOT) for file in ROOT.rglob("*") if file.is_file())
+    return [str(file) for file in files if not file.parts[0].startswith("build")]
 
 
 def inline_code(page):

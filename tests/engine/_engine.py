@@ -12,6 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
+import _plain_numbers  # noqa: F401
+
 LIGGGHTS = Path(os.environ["ELLIPSOID_BIN"]) / "liggghts"
 COLUMNS = ("id type mass x y z vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz "
            "quat1 quat2 quat3 quat4 shapex shapey shapez").split()
