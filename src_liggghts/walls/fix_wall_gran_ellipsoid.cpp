@@ -401,18 +401,24 @@ FixWallGranEllipsoid::Heat FixWallGranEllipsoid::present_heat(int i) const {
 }
 
 /// The host's conductance is proportional to the square root of the area in which a sphere
-/// (sphere_of_heat()) overlaps a plane; there is none where the sphere is beyond the wall. Here it
-/// is scaled to the reduced radius of the contact.
+/// (sphere_of_heat()) overlaps a plane; there is none where the sphere is beyond the wall. Here
+/// that area becomes the one of the contact's reduced radius.
 void FixWallGranEllipsoid::weigh_heat(int i, const Heat& before, const WallContact& contact,
                                       double weight) {
   const double sphere = sphere_of_heat(i, curvature_radius_i);
-  const double share = sphere > 0.0 ? weight * std::sqrt(contact.reduced_radius / sphere) : weight;
-  double& flux = fppa_hf->vector_atom[i];
-  if (sphere > 0.0 && !std::isfinite(flux)) { // of a negative area
-    flux = before.flux;
-    Q_add = before.total;
-    return;
+  double share = weight;
+  if (sphere > 0.0) {
+    const double depth = depth_of_heat(i, contact.overlap);
+    const double area = 2.0 * contact.reduced_radius - depth; // over pi depth
+    const double of_host = 2.0 * sphere - depth;
+    if (area <= 0.0 || of_host <= 0.0) {
+      fppa_hf->vector_atom[i] = before.flux;
+      Q_add = before.total;
+      return;
+    }
+    share *= std::sqrt(area / of_host);
   }
+  double& flux = fppa_hf->vector_atom[i];
   flux = before.flux + share * (flux - before.flux);
   Q_add = before.total + share * (Q_add - before.total);
 }

@@ -73,6 +73,15 @@ class HostWall : public LAMMPS_NS::FixWallGran {
     return area_calculation_mode_ == by_overlap ? of_contact : 0.0;
 #endif
   }
+  /// The overlap that the host takes for the area of a contact: at the true stiffness.
+  double depth_of_heat(int particle, double overlap) const {
+#ifdef ELLIPSOID_HOST_INL
+    const double* const* const ratio = heat().overlap_ratio;
+#else
+    const double* const* const ratio = deltan_ratio;
+#endif
+    return ratio ? overlap * ratio[atom->type[particle] - 1][atom_type_wall_ - 1] : overlap;
+  }
 
  private:
 #ifdef ELLIPSOID_HOST_INL

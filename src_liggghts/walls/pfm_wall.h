@@ -56,6 +56,7 @@ class HostWall : public LAMMPS_NS::FixWallGran {
   void check_heat() {}
   void begin_heat() {}
   double sphere_of_heat(int, double) const { return 0.0; }
+  double depth_of_heat(int, double) const { return 0.0; }
 
  private:
   OwnModels models_;

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from _contact_rows import crowd, crowd_setup
-from _engine import dump, read_dump, rotation, run
+from _engine import dump, host_is_inl, read_dump, rotation, run
 
 FIELDS = "id type mass vx vy vz omegax omegay omegaz quat1 quat2 quat3 quat4 shapex shapey shapez"
 AXES = (2.6e-3, 2.3e-3, 1.8e-3)
@@ -39,7 +39,8 @@ def read_vtk(file):
 def simulate():
     script = crowd_setup("smooth").with_particles(crowd(AXES), "crowd.data")
     script += f"group some id <> {FIRST} {LAST}\n" + dump("all.dump")
-    return script + f"dump v some custom/vtk 1 some.*.vtk {FIELDS}\n"
+    script += f"dump v some custom/vtk 1 some.*.vtk {FIELDS}\n"
+    return script + "dump_modify v binary no\n" * host_is_inl()
 
 
 class StockDumps(unittest.TestCase):
