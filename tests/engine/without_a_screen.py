@@ -39,7 +39,9 @@ class WithoutAScreen(unittest.TestCase):
         for ranks in (1, 2):
             with self.subTest(ranks=ranks):
                 done = engine(self.script, ranks, "-screen", "none")
-                self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+                # Open MPI 5 has remarks of its own on networks that it does not use
+                told = [line for line in done.stderr.splitlines() if "mca_btl_tcp" not in line]
+                self.assertEqual((done.returncode, done.stdout, told), (0, "", []))
                 self.assertIn("Loop time of", Path("log.quiet").read_text())
 
     def test_errors_are_told(self):
