@@ -1,5 +1,6 @@
 """Batch jobs with `-screen none`: nothing writes to a screen that is not there, and errors of one rank are told."""
 
+import re
 import subprocess
 import unittest
 from pathlib import Path
@@ -18,6 +19,8 @@ fix floor all wall/gran/ellipsoid {law} surface smooth mesh n_meshes 1 meshes ca
 fix motion all nve/ellipsoid
 run 20
 """
+# version 5, on networks that it does not use; those of two ranks may share a line
+REMARKS_OF_OPEN_MPI = re.compile("mca_btl_tcp|reachable pairing between local and remote interfaces")
 
 
 def engine(script, ranks, *more):
@@ -39,8 +42,7 @@ class WithoutAScreen(unittest.TestCase):
         for ranks in (1, 2):
             with self.subTest(ranks=ranks):
                 done = engine(self.script, ranks, "-screen", "none")
-                # Open MPI 5 has remarks of its own on networks that it does not use
-                told = [line for line in done.stderr.splitlines() if "mca_btl_tcp" not in line]
+                told = [line for line in done.stderr.splitlines() if not REMARKS_OF_OPEN_MPI.search(line)]
                 self.assertEqual((done.returncode, done.stdout, told), (0, "", []))
                 self.assertIn("Loop time of", Path("log.quiet").read_text())
 
