@@ -11,7 +11,7 @@ import numpy as np
 import _crowd
 from _brute_force import REPLAYED, replay
 from _crowd import LENGTHS, TIME_STEP
-from _engine import read_dump, run, vectors
+from _engine import host_is_inl, read_dump, run, vectors
 
 STEPS = 40
 FORM = " ".join("%d" if c in ("id", "type") else "%.17g" for c in REPLAYED)
@@ -94,9 +94,12 @@ class HostSettings(unittest.TestCase):
             "print done\nrun 2 pre no\n", name="in.pre")
 
     def test_commands_that_know_nothing_of_shapes(self):
-        """All in one script, after a scene that `clear` has left; a loop, a file that is included."""
+        """All in one script, after a scene that `clear` has left; a loop, a file that is included. LIGGGHTS-INL has no
+        settings of `thermo_temp`, and says so."""
+        temperature = "compute warm all temp\ncompute_modify warm dynamic yes\n"
         Path("more.in").write_text("thermo_log thermo.log\nmodify_timing on\nsoft_particles yes\nlattice sc 0.001\n"
-                                   "compute_modify thermo_temp dynamic yes\nfix_modify motion energy no\ntimestep 1e-6\n")
+                                   + (temperature if host_is_inl() else "compute_modify thermo_temp dynamic yes\n")
+                                   + "fix_modify motion energy no\ntimestep 1e-6\n")
         more = ("label again\nvariable k loop 3\ninclude more.in\nshell mkdir -p folder\nnext k\njump SELF again\n"
                 f'if "3 > 2" then "print three" else "quit"\ntimestep {TIME_STEP!r}\nwrite_restart_on_signal yes\n'
                 "restart 1000 signal.*\necho log\nlog other.log append\npartition yes 1 thermo 5\n")

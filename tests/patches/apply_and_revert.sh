@@ -58,7 +58,7 @@ readonly pfm_variants="0005 0014 0015 0016 0023 0043 0049 0057 0060 0071 0072 00
 for name in pici inl pfm; do
   expect_output "^host: LIGGGHTS-[A-Z]* [0-9.]* " "${apply[@]}" check $name
   variants=$("${apply[@]}" status $name | sed -nE "s/^missing: ([0-9]*)-.*\.[a-z]+\.patch/\1/p" | tr '\n' ' ')
-  [[ $name:$variants == "pici:0002 0049 " || $name:$variants == "inl:0012 0016 0021 0057 0071 0072 0075 " ||
+  [[ $name:$variants == "pici:0002 0049 " || $name:$variants == "inl:0007 0012 0016 0021 0057 0071 0072 0075 " ||
     $name:$variants == "pfm:$pfm_variants" ]] ||
     fail "other variants than expected are taken for $name: $variants"
   there_and_back $name
