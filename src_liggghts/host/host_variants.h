@@ -80,6 +80,13 @@ template <class Comm> bool follows_exchange(const Comm& comm) {
 #endif
 }
 
+/// Does fix couple/cfd/force leave drag to an integrator of spheres unless told otherwise?
+#ifdef ELLIPSOID_HOST_INL
+constexpr bool integrators_have_drag = true;
+#else
+constexpr bool integrators_have_drag = false;
+#endif
+
 /// Are the sub-domains the bricks of a grid? (LIGGGHTS-INL's `comm_style tiled` exchanges nothing.)
 template <class Comm> bool has_brick_domains(Comm* comm) {
 #ifdef ELLIPSOID_HOST_INL

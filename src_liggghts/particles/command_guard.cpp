@@ -109,6 +109,22 @@ void warn_of_radius(LAMMPS* lmp, const Words& words) {
                                    .c_str());
 }
 
+/// What LIGGGHTS-INL's fix couple/cfd/force would leave to its fix nve/cfd_cn.
+void check_drag(LAMMPS* lmp, const Words& words) {
+  if (!integrators_have_drag || words[2] != "couple/cfd/force")
+    return;
+  const std::string title = "fix couple/cfd/force (id " + words[0] + ")";
+  const auto options = words.begin() + 3;
+  for (const char* word : {"implicit", "CAddRhoFluid", "transfer_ellipsoid"})
+    if (std::find(options, words.end(), word) != words.end())
+      refuse(lmp, title + " with '" + word + "'",
+             "leaves that to an integrator of spheres; use 'force explicit' and 'torque explicit'");
+  const auto force = std::find(options, words.end(), "force");
+  if (words.end() - force < 2 || *(force + 1) != "explicit")
+    refuse(lmp, title + " without 'force explicit'",
+           "leaves the drag to an integrator of spheres; add 'force explicit'");
+}
+
 /// A fix insert/... takes bounds and volume of its region once, when the fix is made.
 void check_region_of_insertion(LAMMPS* lmp, const Words& words) {
   const auto keyword = std::find(words.begin(), words.end(), "region");
@@ -153,6 +169,7 @@ void check_mesh_modules(LAMMPS* lmp, const Words& words) {
 void check_fix(LAMMPS* lmp, const Words& words) {
   if (words.size() < 3)
     return;
+  check_drag(lmp, words);
   warn_of_radius(lmp, words);
   check_region_of_insertion(lmp, words);
   check_cells(lmp, words);
