@@ -26,8 +26,8 @@ inline void test_pair(Columns& columns, int k) {
   columns.out[C::nx][k] = has_length ? scale * y.x : 1.0;
   columns.out[C::ny][k] = scale * y.y;
   columns.out[C::nz][k] = scale * y.z;
-  columns.out[C::apart][k] = (first.are_apart | second.are_apart) ? 1.0 : 0.0;
-  columns.out[C::touch][k] = (first.touch | second.touch) ? 1.0 : 0.0;
+  columns.out[C::is_apart][k] = (first.are_apart | second.are_apart) ? 1.0 : 0.0;
+  columns.out[C::is_touching][k] = (first.touch | second.touch) ? 1.0 : 0.0;
 }
 
 inline void test_loop(Columns& columns, int size) {

@@ -47,8 +47,8 @@ class QuickTestBatch : public Batch {
   void add(const EllipsoidShape& i, const EllipsoidShape& j, const Vector3& distance);
   void solve();
 
-  bool are_apart(int k) const { return columns_.out[Columns::apart][k] != 0.0; }
-  bool touch(int k) const { return columns_.out[Columns::touch][k] != 0.0; }
+  bool are_apart(int k) const { return columns_.out[Columns::is_apart][k] != 0.0; }
+  bool touch(int k) const { return columns_.out[Columns::is_touching][k] != 0.0; }
   Vector3 distance(int k) const { return vector(columns_.in, Columns::dx, k); }
   /// Unit vector from i to j near the contact's normal; for pairs that are not apart.
   Vector3 normal(int k) const { return vector(columns_.out, Columns::nx, k); }
@@ -56,7 +56,7 @@ class QuickTestBatch : public Batch {
   /// Columns of numbers, one per pair.
   struct Columns {
     enum Input { a_i, a_j = 6, dx = 12, dy, dz, input_count };
-    enum Result { nx, ny, nz, apart, touch, result_count };
+    enum Result { nx, ny, nz, is_apart, is_touching, result_count };
     alignas(64) double in[input_count][column_length];
     alignas(64) double out[result_count][column_length];
   };

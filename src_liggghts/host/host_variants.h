@@ -14,6 +14,9 @@
 #define ELLIPSOID_HOST_INL
 #include "comm_brick.h"
 #endif
+#if __has_include("jkr_lookup_table.h")
+#define ELLIPSOID_HOST_PICI
+#endif
 
 /// The parameters of Fix::restart().
 #ifdef ELLIPSOID_HOST_INL

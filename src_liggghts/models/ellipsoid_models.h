@@ -38,6 +38,13 @@ constexpr UnsuitableModel unsuitable_models[] = {
     {"cohesion", "cohesion", "bond/nonlinear",
      "acts across a gap, which is not known for ellipsoids; use 'cohesion sjkr' or 'sjkr2'"},
 #endif
+#ifdef ELLIPSOID_HOST_PICI
+    {"normal", "model", "jkr",
+     "acts across a gap, which is not known for ellipsoids; use 'cohesion sjkr' or 'sjkr2'"},
+    {"tangential", "tangential", "jkr_tan", "is for 'model jkr'; use 'tangential history'"},
+    {"rolling_friction", "rolling_friction", "cdt_jkr",
+     "is for 'model jkr'; use 'rolling_friction cdt'"},
+#endif
     {"rolling_friction", "rolling_friction", "epsd3",
      "damps by the moment of inertia of spheres; use 'rolling_friction epsd'"},
 };
