@@ -311,6 +311,17 @@ def check_ratios():
     assert "4 of 9 cells have no value" in error or "cells have no value in \"medial\" and stay blank" in error, error
 
 
+def read_to_end(terminal):
+    """What a program has written to a pseudo-terminal; its end is an error of reading."""
+    shown = b""
+    try:
+        while part := os.read(terminal, 10000):
+            shown += part
+    except OSError:
+        pass
+    return shown.decode()
+
+
 def check_progress():
     """On a terminal, and only there, standard error tells what is being computed; in the end the line is empty."""
     for words, line in ((("--needed", 0.3, "--ratios", "0.5"), "N needed for 1 : 0.5 : 0.5"),
@@ -318,8 +329,8 @@ def check_progress():
                         (("--semiaxes", 3, 2, 1, "--subspheres", 33), "measures of N = 33")):
         ours, its = os.openpty()
         subprocess.run([POST, "template", *map(str, words)], stderr=its, stdout=subprocess.DEVNULL, check=True)
-        shown = os.read(ours, 10000).decode()
         os.close(its)
+        shown = read_to_end(ours)
         os.close(ours)
         assert line in shown and shown.split("\r")[-1] == "" and shown.split("\r")[-2].strip() == "", (words, shown)
         assert post("template", *words)[1] == "", words

@@ -139,7 +139,7 @@ TEST(SolidBody, WhatOverlapsTheInscribedBallOverlapsTheBody) {
   Poses poses(11);
   const MultisphereBody slender(make_multisphere(2.7, 1.0, 9));
   int found[2] = {0, 0};
-  for (int k = 0; k < 4000; ++k) {
+  for (int k = 0; k < 6000; ++k) {
     const Pose pose = poses.pose(1.5, 0.2, 1.0), other = poses.pose(1.5, 0.2, 1.0);
     const SolidBody chain = chain_at(slender, poses.place(1.5), normalized(poses.place(1.0)), 0.3);
     const Vector3& s = pose.semiaxes;
