@@ -106,7 +106,7 @@ class SphereLimit(unittest.TestCase):
         with ThreadPoolExecutor(2) as pool:
             list(pool.map(lambda law: self.compare(law, RELATIVE), WITHOUT_ROLLING))
 
-    OF_INL = [(f"{WITHOUT_ROLLING[k]}", "limitForce off", True, {"coefficientAdhesionStiffness": 0.0}) for k in (-3, -2)]
+    OF_INL = [(WITHOUT_ROLLING[k], "limitForce off", True, {"coefficientAdhesionStiffness": 0.0}) for k in (-3, -2)]
     OF_INL += [(WITH_ROLLING[-1], "torsionTorque on", False, {})]
 
     def test_settings(self):
