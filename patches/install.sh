@@ -174,6 +174,15 @@ remove_models() {
   [[ -s $src/$whitelist ]] || rm "$src/$whitelist"
 }
 
+# remark_on_make_auto: of a Makefile.auto from before GNU make 4.3, whose tests of MPI and VTK fail since
+remark_on_make_auto() {
+  local file=$src/MAKE/Makefile.auto
+  if grep -qsF "'\\#include" "$file"; then
+    echo "remark: 'make auto' of this tree stops with GNU make 4.3 or newer, with this package or without; mend it by:" \
+      "sed -i -e '1i H := \\\\#' -e 's/\\\\#/\$H/g' $file"
+  fi
+}
+
 own_models() {
   grep -o 'GRAN_MODEL(.*)' "$package/src_liggghts/models/$whitelist"
 }
@@ -209,5 +218,6 @@ else
   copy_files
   add_flags
   add_models
+  remark_on_make_auto
   echo "Now build in $src as always, for example: make mpi"
 fi

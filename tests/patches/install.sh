@@ -52,6 +52,16 @@ rm -rf before && cp -r tree before
 expect_output "^removed: " "${install[@]}" --remove tree
 same before tree "taking back does not give the tree back"
 
+echo "-- a Makefile.auto that GNU make 4.3 does not read any more"
+fresh tree
+mkdir tree/src/MAKE
+printf '%s\n' "TMP := \$(shell echo '\\#include <mpi.h>')" >tree/src/MAKE/Makefile.auto
+expect_output "^remark: 'make auto' of this tree stops with GNU make 4.3" "${install[@]}" tree
+eval "$("${install[@]}" tree | sed -n 's/^remark: .* mend it by: //p')"
+[[ $(cat tree/src/MAKE/Makefile.auto) == 'H := \#'$'\n'"TMP := \$(shell echo '\$Hinclude <mpi.h>')" ]] ||
+  fail "the remark's command makes: $(cat tree/src/MAKE/Makefile.auto)"
+! "${install[@]}" tree | grep "^remark" || fail "a remark on a mended file"
+
 echo "-- a file of an earlier version goes, a changed one is left alone"
 fresh tree
 "${install[@]}" tree >/dev/null
