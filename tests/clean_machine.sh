@@ -86,6 +86,16 @@ remove_system() {
   fi
 }
 
+# stop_everything: what runs in the system ends with this script, however that is ended
+stop_everything() {
+  trap '' TERM INT HUP
+  kill -TERM -- "-$running" 2>/dev/null || true
+  sleep 2 # debootstrap takes its mounts back
+  kill -KILL -- "-$running" 2>/dev/null || true
+  wait "$running" 2>/dev/null || true
+  fail "$suite: stopped; log: $log"
+}
+
 try_everything() {
   local command
   make_system
@@ -115,10 +125,13 @@ root=${CLEAN_MACHINE_FOLDER:-$(mktemp -d "/var/tmp/clean_machine_$suite.XXXXXX")
 mkdir -p "$root"
 
 echo "$suite in $root; log: $log"
-set +e
-(set -e && try_everything) >"$log" 2>&1 </dev/null
-status=$?
-set -e
+set -m # a process group of its own
+(set -e && try_everything) >"$log" 2>&1 </dev/null &
+running=$!
+set +m
+trap stop_everything TERM INT HUP
+status=0
+wait "$running" || status=$?
 if [[ $status -eq 0 ]]; then
   echo "$suite: passed ($((SECONDS / 60)) minutes); last lines of $log:"
   tail -n 8 "$log"
