@@ -60,11 +60,11 @@ FixContactHistoryEllipsoid::~FixContactHistoryEllipsoid() {
 }
 
 int FixContactHistoryEllipsoid::setmask() {
-  return FixConst::POST_INTEGRATE | FixConst::PRE_EXCHANGE;
+  return FixConst::POST_INTEGRATE | FixConst::PRE_EXCHANGE | FixConst::PRE_NEIGHBOR;
 }
 
 void FixContactHistoryEllipsoid::post_integrate() {
-  if (pair().lists_are_outdated())
+  if (pair().near_candidates().are_outdated(*lmp))
     next_reneighbor = update->ntimestep;
 }
 
@@ -75,8 +75,10 @@ PairGranEllipsoid& FixContactHistoryEllipsoid::pair() const {
 void FixContactHistoryEllipsoid::pre_exchange() {
   save();
   reserve_exchange();
-  pair().prepare_candidates();
+  pair().near_candidates().prepare(*lmp);
 }
+
+void FixContactHistoryEllipsoid::pre_neighbor() { pair().ghosts_are_new(); }
 
 /// Where a periodic side is so short that a particle may be near two images of a partner, saves all
 /// contacts, with their places to tell the images apart; otherwise those beyond the host's row.

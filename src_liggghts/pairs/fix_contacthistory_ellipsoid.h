@@ -40,6 +40,9 @@ class FixContactHistoryEllipsoid : public Fix, public ellipsoid_host::KnowsNumbe
   void post_integrate() override;
   void pre_exchange() override;
   void setup_pre_exchange() override { pre_exchange(); }
+  /// Has the pair style prepare what the making of lists asks for.
+  void pre_neighbor() override;
+  void setup_pre_neighbor() override { pre_neighbor(); }
 
   void renumber(const ellipsoid_host::NewNumbers& numbers) override;
 

@@ -26,6 +26,8 @@ class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers 
   MultisphereContacts(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::PairGranEllipsoid& pair);
   void read_settings(const ModelSettings& settings) override;
   ContactCounts compute(PairForces& forces, bool is_time_step) override;
+  void ghosts_are_new() override { chains_.ghosts_are_new(); }
+  ellipsoid::BodyBounds bounds(int i) override { return chains_.bounds(i); }
 
  private:
   enum { key_sum, key_difference }; // offsets in a slot

@@ -9,6 +9,7 @@
 #include "neighbor.h"
 #include "pair_gran_ellipsoid.h"
 #include "particle_arrays.h"
+#include "surface_contacts.h"
 #include "update.h"
 
 #include <algorithm>
@@ -36,10 +37,10 @@ double way(const ParticleArrays& particles, int i, double time_step) {
 
 } // namespace
 
-void NearCandidates::prepare(LAMMPS& lmp, bool shapes_bound) {
+void NearCandidates::prepare(LAMMPS& lmp) {
   by_shape_ = false;
   // images move with the sides of the box; models may act at a distance
-  if (!shapes_bound || lmp.domain->box_change || lmp.neighbor->includegroup ||
+  if (lmp.domain->box_change || lmp.neighbor->includegroup ||
       lmp.neighbor->contactDistanceFactor != 1.0)
     return;
   const ParticleArrays particles(*lmp.atom);
@@ -55,12 +56,15 @@ void NearCandidates::prepare(LAMMPS& lmp, bool shapes_bound) {
   margin_ = std::max(0.5 * lmp.neighbor->skin, steps_in_margin * fastest_of_all);
 }
 
-bool NearCandidates::begin(const LAMMPS& lmp) {
+bool NearCandidates::begin(const LAMMPS& lmp, SurfaceContacts& contacts) {
   const Atom& atom = *lmp.atom;
   const auto count = static_cast<std::size_t>(atom.nlocal + atom.nghost);
   if (by_shape_) {
     const ParticleArrays particles(atom);
-    bodies_.build({particles.x[0], particles.shape[0], particles.quaternion[0], count}, margin_);
+    bounds_.resize(count);
+    for (std::size_t k = 0; k < count; ++k)
+      bounds_[k] = contacts.bounds(static_cast<int>(k));
+    bodies_.build({particles.x[0], particles.quaternion[0], bounds_.data(), count}, margin_);
     const auto owned = static_cast<std::size_t>(atom.nlocal);
     centres_.assign(particles.x[0], particles.x[0] + 3 * owned);
     orientations_.assign(particles.quaternion[0], particles.quaternion[0] + 4 * owned);
@@ -89,14 +93,12 @@ bool NearCandidates::moved_too_far(const LAMMPS& lmp) const {
       std::min(static_cast<std::size_t>(lmp.atom->nlocal), centres_.size() / 3);
   for (std::size_t k = 0; k < owned; ++k) {
     const int i = static_cast<int>(k);
-    const double *q = particles.quaternion[i], *was = &orientations_[4 * k],
-                 *axes = particles.shape[i];
+    const double *q = particles.quaternion[i], *was = &orientations_[4 * k];
     double turned = 0.0; // along the path: quaternions do not change their sign
     for (int c = 0; c < 4; ++c)
       turned += (q[c] - was[c]) * (q[c] - was[c]);
     const double moved = norm(vector(particles.x[i]) - vector(&centres_[3 * k])) +
-                         ellipsoid::turning_radius(axes[0], axes[1], axes[2]) *
-                             ellipsoid::largest_angle(std::sqrt(turned));
+                         bounds_[k].turning_radius * ellipsoid::largest_angle(std::sqrt(turned));
     if (moved > margin_)
       return true;
   }
@@ -105,7 +107,7 @@ bool NearCandidates::moved_too_far(const LAMMPS& lmp) const {
 
 NearCandidates* near_candidates(LAMMPS* lmp, int i) {
   auto* pair = dynamic_cast<PairGranEllipsoid*>(lmp->force->pair);
-  return pair ? pair->near_candidates(i) : nullptr;
+  return pair ? pair->candidates_of(i) : nullptr;
 }
 
 } // namespace ellipsoid_host

@@ -20,15 +20,17 @@ class LAMMPS;
 
 namespace ellipsoid_host {
 
+class SurfaceContacts;
+
 class NearCandidates {
  public:
   /// Before new lists are made, on all ranks together: whether bodies are so long or flat that
   /// pairs are chosen by true shape, and by what margin.
-  /// @param[in] shapes_bound no contact is possible outside of the ellipsoids
-  void prepare(LAMMPS_NS::LAMMPS& lmp, bool shapes_bound);
+  void prepare(LAMMPS_NS::LAMMPS& lmp);
   /// For a new list.
+  /// @param[in] contacts which know the bounds of all particles, ghosts too
   /// @return whether this should be used: the bins serve compact particles of about one size
-  bool begin(const LAMMPS_NS::LAMMPS& lmp);
+  bool begin(const LAMMPS_NS::LAMMPS& lmp, SurfaceContacts& contacts);
   /// The first particle after i that is near it; -1: there is none.
   int first(int i) {
     found_ = by_shape_ ? &bodies_.find(i) : &grids_.find(i);
@@ -48,7 +50,8 @@ class NearCandidates {
   std::size_t at_ = 0;
   bool by_shape_ = false;
   double margin_ = 0.0;                        // (length)
-  std::vector<double> centres_, orientations_; // of owned particles when the lists were made
+  std::vector<ellipsoid::BodyBounds> bounds_;  // of all particles when the lists were made
+  std::vector<double> centres_, orientations_; // of owned ones at that time
 
   bool moved_too_far(const LAMMPS_NS::LAMMPS& lmp) const;
 };

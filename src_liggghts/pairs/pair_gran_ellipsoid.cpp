@@ -286,8 +286,12 @@ void PairGranEllipsoid::add_forces(int eflag, int vflag, bool for_list) {
   warn_of_searches();
 }
 
-void PairGranEllipsoid::prepare_candidates() {
-  near_candidates_.prepare(*lmp, contacts_->lie_within_ellipsoids());
+void PairGranEllipsoid::ghosts_are_new() { contacts_->ghosts_are_new(); }
+
+NearCandidates* PairGranEllipsoid::candidates_of(int i) {
+  if (i == 0)
+    bins_serve_badly_ = near_candidates_.begin(*lmp, *contacts_);
+  return bins_serve_badly_ ? &near_candidates_ : nullptr;
 }
 
 void PairGranEllipsoid::write_restart_settings(FILE* file) {

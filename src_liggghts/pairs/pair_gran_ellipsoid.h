@@ -60,16 +60,12 @@ class PairGranEllipsoid : public ellipsoid_host::HostPairStyle,
   double* history(double* in_list, int entry) const;
   /// The host's fix is about to keep the histories.
   void keep_histories();
-  /// Before new lists are made, on all ranks: see near_candidates.h.
-  void prepare_candidates();
-  /// After particles have moved, on all ranks: whether the lists may lack a pair that touches.
-  bool lists_are_outdated() const { return near_candidates_.are_outdated(*lmp); }
-  /// See near_candidates.h.
-  ellipsoid_host::NearCandidates* near_candidates(int i) {
-    if (i == 0)
-      bins_serve_badly_ = near_candidates_.begin(*lmp);
-    return bins_serve_badly_ ? &near_candidates_ : nullptr;
-  }
+  /// Where new lists take their candidates from: see near_candidates.h.
+  ellipsoid_host::NearCandidates& near_candidates() { return near_candidates_; }
+  /// Before new lists are made, on all ranks, when ghosts are known.
+  void ghosts_are_new();
+  /// To be asked for each particle of a list from 0 on; null: the host's bins serve.
+  ellipsoid_host::NearCandidates* candidates_of(int i);
   FixContactHistory* contact_history() const { return fix_history; }
   /// Where a value of the history of a contact begins.
   int history_offset(const std::string& name) const;

@@ -48,6 +48,10 @@ ContactCounts SmoothContacts::compute(PairForces& forces, bool is_time_step) {
   return counts_;
 }
 
+ellipsoid::BodyBounds SmoothContacts::bounds(int i) {
+  return ellipsoid::bounds_of_ellipsoid(vector(atom->shape[i]));
+}
+
 bool SmoothContacts::recall_histories() {
   if (!are_kept_)
     return false;

@@ -26,7 +26,7 @@ class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
   SmoothContacts(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::PairGranEllipsoid& pair);
   void read_settings(const ModelSettings&) override {}
   ContactCounts compute(PairForces& forces, bool is_time_step) override;
-  bool lie_within_ellipsoids() const override { return true; }
+  ellipsoid::BodyBounds bounds(int i) override;
   const HistoryRows* history_rows() const override { return &pairs_.rows(); }
   bool recall_histories() override;
   void histories_are_kept(bool all) override { are_kept_ = all; }

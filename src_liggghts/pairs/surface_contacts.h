@@ -3,6 +3,7 @@
 
 #include "contact_counts.h"
 #include "history_rows.h"
+#include "neighbours/body_bounds.h"
 
 namespace ellipsoid_host {
 
@@ -19,8 +20,10 @@ class SurfaceContacts {
   /// @param[in] is_time_step false: forces are computed for the same moment again, as when a run is
   ///            set up, which leaves no trace in what is remembered
   virtual ContactCounts compute(PairForces& forces, bool is_time_step) = 0;
-  /// Whether no point of contact can be outside of both particles' ellipsoids.
-  virtual bool lie_within_ellipsoids() const { return false; }
+  /// When ghosts are new, on all ranks together: gets what bounds() asks of them.
+  virtual void ghosts_are_new() {}
+  /// What an owned or ghost particle lies within: no contact is possible outside.
+  virtual ellipsoid::BodyBounds bounds(int i) = 0;
   /// The rows of histories whose numbers the host's lists hold; null: the lists hold the histories.
   virtual const HistoryRows* history_rows() const { return nullptr; }
   /// When the lists are new: pairs that touched get back what the host's fix has kept.

@@ -157,6 +157,18 @@ ellipsoid::MultispherePose MultisphereParticles::make_pose(int i) {
   return pose;
 }
 
+/// The host does not give new ghosts the values of these fixes.
+void MultisphereParticles::ghosts_are_new() {
+  find_properties();
+  subspheres_->do_forward_comm();
+  if (spacing_)
+    spacing_->do_forward_comm();
+}
+
+ellipsoid::BodyBounds MultisphereParticles::bounds(int i) {
+  return scaled(body(i)->bounds(), atom->shape[i][1]);
+}
+
 /// Which body a particle has is looked up when the neighbour lists are new: only then particles
 /// come and go, on all ranks at once.
 bool MultisphereParticles::update() {
@@ -164,11 +176,6 @@ bool MultisphereParticles::update() {
   const bool new_lists = neighbor->ago == 0;
   if (new_lists || poses_.size() != count)
     find_properties();
-  if (new_lists) { // new ghosts, which the host does not give the values of these fixes
-    subspheres_->do_forward_comm();
-    if (spacing_)
-      spacing_->do_forward_comm();
-  }
   if (new_lists || poses_.size() != count) {
     begin_lists(count);
     return true;

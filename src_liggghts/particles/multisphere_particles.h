@@ -39,6 +39,10 @@ class MultisphereParticles : private LAMMPS_NS::Pointers {
  public:
   explicit MultisphereParticles(LAMMPS_NS::LAMMPS* lmp) : Pointers(lmp) {}
 
+  /// When ghosts are new, on all ranks, before the neighbour lists are made: gets their values.
+  void ghosts_are_new();
+  /// What an owned or ghost particle lies within.
+  ellipsoid::BodyBounds bounds(int i);
   /// Poses of all owned and ghost particles; to be called once per time step, on all ranks.
   /// @return whether the neighbour lists are new: what is remembered of particles is to be
   /// forgotten

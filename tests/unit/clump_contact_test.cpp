@@ -179,6 +179,60 @@ void compare_with_brute_force(const Body& i, const Body& j, int poses) {
 
 constexpr int all_poses = 100000;
 
+/// Two bodies that turn and come and go at random.
+void expect_contacts_between_searches(const Body& one, const Body& other) {
+  Random random(seed);
+  NearSpheres near;
+  near.restart(1);
+  MotionClocks clocks;
+  clocks.restart(2);
+  MultispherePose poses[2] = {one.pose({}, 1.0), other.pose({}, 1.3)};
+  std::array<double, 6> centres{}, last_centres{}, semiaxes{1, 1, 1, 1.3, 1.3, 1.3};
+  std::array<double, 8> quaternions{};
+  Pair pair{one, other, {}, {}, 1.3, {1.5, 0.0, 0.0}};
+  Vector3 velocity, spins[2];
+  Quaternion* orientations[2] = {&pair.q_i, &pair.q_j};
+  last_centres[3] = 1.5;
+  int searches = 0, touching = 0, rests = 0;
+  constexpr int steps = 50000;
+  std::vector<NearSpheres::Touching> found(1000);
+  for (int step = 0; step < steps; ++step) {
+    velocity += random.vector(0.3) - 0.1 * velocity -
+                0.05 * (norm(pair.distance) - 3.0) * normalized(pair.distance);
+    pair.distance += 0.002 * velocity;
+    for (int b = 0; b < 2; ++b) {
+      spins[b] += random.vector(0.3) - 0.1 * spins[b];
+      const Vector3 half = 0.001 * spins[b];
+      *orientations[b] = normalized(Quaternion{1.0, half.x, half.y, half.z} * *orientations[b]);
+      const Quaternion& q = *orientations[b];
+      std::copy_n(std::array<double, 4>{q.w, q.x, q.y, q.z}.begin(), 4, &quaternions[4 * b]);
+    }
+    centres = {0.0, 0.0, 0.0, pair.distance.x, pair.distance.y, pair.distance.z};
+    clocks.advance_all([&](std::size_t, Motions& motions) {
+      measure_motions(
+          {semiaxes.data(), centres.data(), quaternions.data(), last_centres.data(), poses},
+          motions);
+    });
+    if (near.is_due(0, clocks.time(0), clocks.time(1))) {
+      ++searches;
+      const auto [gap, tested] = near.search(0, poses[0], poses[1], pair.distance, 0.03);
+      near.set_deadlines(0, clocks.deadlines(0, 1, gap, clocks.approach(0, 1)));
+    }
+    const int count = near.find_touching(0, poses[0], poses[1], pair.distance, found.data());
+    Pairs pairs;
+    for (int k = 0; k < count; ++k)
+      pairs.emplace_back(found[static_cast<std::size_t>(k)].contact.sphere_i,
+                         found[static_cast<std::size_t>(k)].contact.sphere_j);
+    const Truth truth = closer_than(0.0, pair.gaps(), other.spheres.count());
+    ASSERT_EQ(without(pairs, truth.doubtful), truth.certain) << "step " << step;
+    touching += !truth.certain.empty();
+    rests += near.is_empty(0);
+  }
+  EXPECT_LT(searches, steps / 2); // the proofs are used
+  EXPECT_GT(rests, steps / 100);
+  EXPECT_GT(touching, steps / 100); // and tested
+}
+
 } // namespace
 
 TEST(ClumpContact, ChainAndChainAsSet) {
@@ -271,57 +325,10 @@ TEST(ClumpContact, SwappedBodiesSeeTheSame) {
 }
 
 TEST(ClumpContact, NearSpheresHoldEveryContactBetweenSearches) {
-  const Body one(heap(20, {2.0, 1.0, 0.6})), other(disc(4));
-  Random random(seed);
-  NearSpheres near;
-  near.restart(1);
-  MotionClocks clocks;
-  clocks.restart(2);
-  MultispherePose poses[2] = {one.pose({}, 1.0), other.pose({}, 1.3)};
-  std::array<double, 6> centres{}, last_centres{}, semiaxes{1, 1, 1, 1.3, 1.3, 1.3};
-  std::array<double, 8> quaternions{};
-  Pair pair{one, other, {}, {}, 1.3, {1.5, 0.0, 0.0}};
-  Vector3 velocity, spins[2];
-  Quaternion* orientations[2] = {&pair.q_i, &pair.q_j};
-  last_centres[3] = 1.5;
-  int searches = 0, touching = 0, rests = 0;
-  constexpr int steps = 50000;
-  std::vector<NearSpheres::Touching> found(1000);
-  for (int step = 0; step < steps; ++step) {
-    velocity += random.vector(0.3) - 0.1 * velocity -
-                0.05 * (norm(pair.distance) - 3.0) * normalized(pair.distance);
-    pair.distance += 0.002 * velocity;
-    for (int b = 0; b < 2; ++b) {
-      spins[b] += random.vector(0.3) - 0.1 * spins[b];
-      const Vector3 half = 0.001 * spins[b];
-      *orientations[b] = normalized(Quaternion{1.0, half.x, half.y, half.z} * *orientations[b]);
-      const Quaternion& q = *orientations[b];
-      std::copy_n(std::array<double, 4>{q.w, q.x, q.y, q.z}.begin(), 4, &quaternions[4 * b]);
-    }
-    centres = {0.0, 0.0, 0.0, pair.distance.x, pair.distance.y, pair.distance.z};
-    clocks.advance_all([&](std::size_t, Motions& motions) {
-      measure_motions(
-          {semiaxes.data(), centres.data(), quaternions.data(), last_centres.data(), poses},
-          motions);
-    });
-    if (near.is_due(0, clocks.time(0), clocks.time(1))) {
-      ++searches;
-      const auto [gap, tested] = near.search(0, poses[0], poses[1], pair.distance, 0.03);
-      near.set_deadlines(0, clocks.deadlines(0, 1, gap, clocks.approach(0, 1)));
-    }
-    const int count = near.find_touching(0, poses[0], poses[1], pair.distance, found.data());
-    Pairs pairs;
-    for (int k = 0; k < count; ++k)
-      pairs.emplace_back(found[static_cast<std::size_t>(k)].contact.sphere_i,
-                         found[static_cast<std::size_t>(k)].contact.sphere_j);
-    const Truth truth = closer_than(0.0, pair.gaps(), other.spheres.count());
-    ASSERT_EQ(without(pairs, truth.doubtful), truth.certain) << "step " << step;
-    touching += !truth.certain.empty();
-    rests += near.is_empty(0);
-  }
-  EXPECT_LT(searches, steps / 2); // the proofs are used
-  EXPECT_GT(rests, steps / 100);
-  EXPECT_GT(touching, steps / 100); // and tested
+  const Body set(heap(20, {2.0, 1.0, 0.6})), plate(disc(4)), chain(make_multisphere(3.0, 1.0, 9));
+  expect_contacts_between_searches(set, plate);
+  expect_contacts_between_searches(chain, plate);
+  expect_contacts_between_searches(set, chain);
 }
 
 TEST(ClumpContact, PlaneTouchesWhatReachesIntoIt) {

@@ -82,9 +82,13 @@ double gap_bound(const std::vector<Point>& a, const std::vector<Point>& b) {
 /// @return share of the pairs that are neighbours
 double expect_no_near_pair_missing(Scene& scene, double margin) {
   LongBodies bodies;
-  bodies.build(
-      {scene.centres.data(), scene.semiaxes.data(), scene.quaternions.data(), scene.size()},
-      margin);
+  std::vector<BodyBounds> bounds;
+  for (std::size_t k = 0; k < scene.size(); ++k) {
+    const double* axes = &scene.semiaxes[3 * k];
+    bounds.push_back(bounds_of_ellipsoid({axes[0], axes[1], axes[2]}));
+  }
+  bodies.build({scene.centres.data(), scene.quaternions.data(), bounds.data(), scene.size()},
+               margin);
   std::vector<std::vector<Point>> points;
   for (std::size_t k = 0; k < scene.size(); ++k)
     points.push_back(scene.points(k));

@@ -16,11 +16,6 @@
 
 namespace ellipsoid {
 
-/// Largest |dh/d angle| of the support function h = sqrt(a^2 cos^2 + c^2 sin^2): a - c (length).
-inline double turning_radius(double a, double b, double c) {
-  return std::max(std::max(a, b), c) - std::min(std::min(a, b), c);
-}
-
 /// Upper bound of the angle between two orientations (rad), from the distance of their unit
 /// quaternions, 2 sin(angle / 4): 4 asin(d / 2) <= 2.05 d up to d = 0.5, <= pi d always.
 inline double largest_angle(double quaternion_distance) {

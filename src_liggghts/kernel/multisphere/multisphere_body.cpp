@@ -83,11 +83,17 @@ void MultisphereBody::measure() {
     largest_radius_ = std::fmax(largest_radius_, radius(k));
   }
   tree_ = SphereTree(centres_, radii_);
+  bounds_ = bounds_of_spheres(centres_, radii_);
 }
 
 int MultisphereBody::first_at_or_after(double x) const {
   return static_cast<int>(std::lower_bound(abscissae_.begin(), abscissae_.end(), x) -
                           abscissae_.begin());
+}
+
+Vector3 normal_across(const Vector3& axis) {
+  return normalized(
+      cross(axis, std::fabs(axis.x) < 0.5 ? Vector3{1.0, 0.0, 0.0} : Vector3{0.0, 1.0, 0.0}));
 }
 
 double largest_reach(const MultispherePose& pose, const Vector3& direction) {

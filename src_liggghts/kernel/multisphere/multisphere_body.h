@@ -10,6 +10,7 @@
 #include "multisphere/clump.h"
 #include "multisphere/multisphere_template.h"
 #include "multisphere/sphere_tree.h"
+#include "neighbours/body_bounds.h"
 
 #include <algorithm>
 #include <vector>
@@ -37,6 +38,7 @@ class MultisphereBody {
   double largest_radius() const { return largest_radius_; }
   double smallest_radius() const { return *std::min_element(radii_.begin(), radii_.end()); }
   const SphereTree& tree() const { return tree_; }
+  const BodyBounds& bounds() const { return bounds_; }
 
   /// Whether the body's origin sees the sphere's centre within the body: the straight way is
   /// covered by spheres. So it is for every sphere of a chain.
@@ -55,6 +57,7 @@ class MultisphereBody {
   std::vector<bool> seen_;
   double half_length_ = 0.0, reach_ = 0.0, largest_radius_ = 0.0, steepest_radius_ = 0.0;
   SphereTree tree_;
+  BodyBounds bounds_;
 
   void measure();
 };
@@ -72,8 +75,13 @@ inline void turn(MultispherePose& pose, const Rotation3& orientation) {
   pose.second_axis = orientation.column_y;
 }
 
+/// Any one of the unit vectors across a unit vector.
+Vector3 normal_across(const Vector3& axis);
+
+/// Of a chain any frame about its axis.
 inline Rotation3 orientation_of(const MultispherePose& pose) {
-  return {pose.axis, pose.second_axis, cross(pose.axis, pose.second_axis)};
+  const Vector3 second = pose.body->is_chain() ? normal_across(pose.axis) : pose.second_axis;
+  return {pose.axis, second, cross(pose.axis, second)};
 }
 
 /// Centres of a body's spheres, relative to its own centre, in space (length).

@@ -4,11 +4,6 @@
 #include <algorithm>
 
 namespace ellipsoid {
-Vector3 normal_across(const Vector3& axis) {
-  return normalized(
-      cross(axis, std::fabs(axis.x) < 0.5 ? Vector3{1.0, 0.0, 0.0} : Vector3{0.0, 1.0, 0.0}));
-}
-
 namespace multisphere_search {
 namespace {
 

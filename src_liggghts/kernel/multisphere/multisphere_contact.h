@@ -68,9 +68,6 @@ inline PlacedSphere placed(const SphereCentres& spheres, int k) {
   return {k, spheres.at(k), spheres.radius(k)};
 }
 
-/// Coinciding centres have no normal of their own: any direction across the axis of i will do.
-Vector3 normal_across(const Vector3& axis);
-
 /// Tests one pair of spheres.
 /// @param[in] centre_distance x_j - x_i (length)
 /// @param[in] axis_i of body i
@@ -83,6 +80,7 @@ inline bool touch(const Vector3& axis_i, const Vector3& centre_distance, const P
   if (!(squared < sum * sum))
     return false;
   const double length = std::sqrt(squared), overlap = sum - length;
+  // coinciding centres have no normal of their own
   const Vector3 normal = length > 0.0 ? (1.0 / length) * distance : normal_across(axis_i);
   contact.sphere_i = k.number;
   contact.sphere_j = l.number;

@@ -66,17 +66,17 @@ bool LongBodies::is_long_or_flat(const double* semiaxes) {
 }
 
 LongBodies::Body LongBodies::body_of(const BodyRows& bodies, std::size_t k) {
-  const double *x = bodies.centres + 3 * k, *axes = bodies.semiaxes + 3 * k,
-               *q = bodies.quaternions + 4 * k;
+  const double *x = bodies.centres + 3 * k, *q = bodies.quaternions + 4 * k;
+  const BodyBounds& bounds = bodies.bounds[k];
   const Rotation3 turned = rotation({q[0], q[1], q[2], q[3]});
+  const Vector3 columns[] = {turned.column_x, turned.column_y, turned.column_z};
   Body body;
   body.centre = {x[0], x[1], x[2]};
-  body.axes[0] = axes[0] * turned.column_x;
-  body.axes[1] = axes[1] * turned.column_y;
-  body.axes[2] = axes[2] * turned.column_z;
-  const std::size_t longest = static_cast<std::size_t>(std::max_element(axes, axes + 3) - axes);
-  body.radius = std::max(axes[(longest + 1) % 3], axes[(longest + 2) % 3]);
-  body.half_length = (1.0 - body.radius / axes[longest]) * body.axes[longest];
+  body.axes[0] = bounds.semiaxes.x * columns[0];
+  body.axes[1] = bounds.semiaxes.y * columns[1];
+  body.axes[2] = bounds.semiaxes.z * columns[2];
+  body.radius = bounds.capsule_radius;
+  body.half_length = bounds.half_length * columns[bounds.capsule_axis];
   body.balls = 0;
   return body;
 }

@@ -4,12 +4,13 @@
 //
 // Bounding spheres of long bodies overlap by the hundred where few bodies touch. Here each body is
 // covered by a row of balls along its longest axis, the balls lie in grids (size_grids.h), and
-// of bodies with near balls those are neighbours that two bounds do not prove to be apart: their
-// capsules (spheres swept along the longest axis), and their reach towards each other along the
-// line of centres.
+// of bodies with near balls those are neighbours that two bounds (body_bounds.h) do not prove to be
+// apart: their capsules, and the reach of their ellipsoids towards each other along the line of
+// centres.
 #pragma once
 
 #include "math/vector3.h"
+#include "neighbours/body_bounds.h"
 #include "neighbours/size_grids.h"
 
 #include <cstddef>
@@ -20,8 +21,8 @@ namespace ellipsoid {
 /// Arrays with a row per body.
 struct BodyRows {
   const double* centres;     ///< 3 each (length)
-  const double* semiaxes;    ///< 3 each (length)
   const double* quaternions; ///< 4 each: unit, real part first
+  const BodyBounds* bounds;
   std::size_t count;
 };
 
@@ -41,7 +42,7 @@ class LongBodies {
  private:
   struct Body {
     Vector3 centre;
-    Vector3 axes[3];     ///< semi-axes as vectors (length)
+    Vector3 axes[3];     ///< semi-axes of the ellipsoid as vectors (length)
     Vector3 half_length; ///< of the capsule's segment, from its middle to an end (length)
     double radius;       ///< of the capsule (length)
     std::size_t balls;   ///< number of the first one
