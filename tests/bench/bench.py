@@ -100,7 +100,7 @@ def groups():
         Group("box of planes", "box", [SMOOTH], (2, 2), 1, 3),
         Group("mesh 10240", "mesh", [SMOOTH, multisphere(5)], (2, 2), 1, 3, cells=32),
         Group("mesh 100000", "mesh", [SMOOTH], (2, 2), 1, 3, cells=100),
-        Group("aspect 10", "long", [SMOOTH], (2, 2), 1, 3, aspect=10.0),
+        Group("aspect 10", "long", [SMOOTH, multisphere(27)], (2, 2), 1, 3, aspect=10.0),
         Group("aspect 20", "long", [SMOOTH], (2, 2), 1, 3, aspect=20.0),
         Group("two sizes", "sizes", [SMOOTH], (2, 2), 1, 3),
         Group("size 10000", "bed", FEW_SHAPES[:2], (5, 2), 1, 2),

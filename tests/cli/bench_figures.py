@@ -1,8 +1,9 @@
 # Part of liggghts-ellipsoid. Licence: GPL-2.0-or-later.
 """What the benchmark writes for figures 17 and 18 is what `ellipsoid-post plot` draws; the page's costs of clumps are those
-that are kept."""
+that are kept; benchmarks begin outside the tests as well."""
 import csv
 import os
+import subprocess
 import sys
 from types import SimpleNamespace
 
@@ -33,7 +34,18 @@ def check_costs_of_clumps():
     assert not kept, kept
 
 
+def check_help():
+    """By a shell that knows nothing of the tests."""
+    folder = os.path.join(os.environ["ELLIPSOID_SOURCE"], "tests", "bench")
+    bare = {name: value for name, value in os.environ.items() if not name.startswith(("ELLIPSOID_", "PYTHONPATH"))}
+    for name in "bench", "common_benchmark", "ranks", "same_bits", "start":
+        text = subprocess.run([sys.executable, os.path.join(folder, name + ".py"), "--help"], env=bare, check=True,
+                              capture_output=True, text=True).stdout
+        assert text.startswith("usage: "), (name, text)
+
+
 def main():
+    check_help()
     check_costs_of_clumps()
     results = {"sphere": ([40.0], [1.0], sample()),
                "smooth": ([170.0, 190.0], [4.25, 4.75], sample(potential=1.5)),

@@ -7,12 +7,14 @@ import functools
 import math
 import os
 import subprocess
+import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 
-import _plain_numbers  # noqa: F401
+sys.path.append(str(Path(__file__).parent.parent))  # benchmarks use this file as well
+import _plain_numbers  # noqa: E402, F401
 
 LIGGGHTS = Path(os.environ["ELLIPSOID_BIN"]) / "liggghts"
 COLUMNS = ("id type mass x y z vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz "
