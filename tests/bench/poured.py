@@ -95,7 +95,7 @@ def data_of(dump, shape, side, wanted):
 
 def bed(shape, start, steps, warm):
     """Script of the settled bed, whose lists are made anew every 20 steps."""
-    return (header(shape, "p p f") + f"read_data {start}\n" + forces(shape) + REBUILDS + gravity("bed")
+    return (header(shape, "p p f") + f"read_data {start}\n" + forces(shape) + shape.subsphere_fix + REBUILDS + gravity("bed")
             + f"group grains type 1\nfix floor all {shape.wall} primitive type 1 zplane 0.0\n{shape.motion}\n"
             + timed(steps, warm))
 
