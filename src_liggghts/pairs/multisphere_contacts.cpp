@@ -8,6 +8,7 @@
 #include "model_settings.h"
 #include "pair_gran_ellipsoid.h"
 #include "surface_settings.h"
+#include "vectorised/prefetch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,15 +63,22 @@ ContactCounts MultisphereContacts::compute(PairForces& forces, bool is_time_step
         [this](std::uint32_t index, int i, int j) { pairs_.activate(pairs_.pair(index, i, j)); },
         [] {});
     const auto prefetch = [this](const NearPair& pair) {
-      __builtin_prefetch(pair.flag, 1);
+      near_spheres_.prefetch_pair(pair.index);
+      ellipsoid::prefetch_to_write(pair.flag);
       pairs_.prefetch_history(pair);
-      __builtin_prefetch(&chains_.pose(pair.j));
-      __builtin_prefetch(particles_.x[pair.j]);
-      __builtin_prefetch(particles_.v[pair.j]);
-      __builtin_prefetch(particles_.omega[pair.j]);
+      for (const int k : {pair.i, pair.j}) {
+        ellipsoid::prefetch(&chains_.pose(k));
+        ellipsoid::prefetch(particles_.x[k]);
+        ellipsoid::prefetch(particles_.v[k]);
+        ellipsoid::prefetch(particles_.omega[k]);
+      }
     };
-    pairs_.for_each_active(
-        prefetch, [this, &forces](NearPair& pair) { return update_contacts(pair, forces); });
+    const auto prefetch_more = [this](const NearPair& pair) {
+      near_spheres_.prefetch_spheres(pair.index);
+    };
+    pairs_.for_each_active(prefetch, prefetch_more, [this, &forces](NearPair& pair) {
+      return update_contacts(pair, forces);
+    });
   }
   forces.apply_added();
   counts_.values[ContactCounts::listed_pairs] = listed_pairs_;

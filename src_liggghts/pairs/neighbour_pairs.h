@@ -13,6 +13,7 @@
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "separation/deferred_checks.h"
+#include "vectorised/prefetch.h"
 
 #include <cstddef>
 #include <vector>
@@ -118,13 +119,17 @@ class NeighbourPairs {
   /// it returns false are not active any more.
   /// @param[in] prefetch prefetch(pair): asks the processor for what step() will read; called some
   ///            pairs ahead, for pairs that touched
-  template <class Prefetch, class Step>
-  void for_each_active(const Prefetch& prefetch, const Step& step) {
+  /// @param[in] prefetch_more the same for what stands where that points to, half as far ahead
+  template <class Prefetch, class PrefetchMore, class Step>
+  void for_each_active(const Prefetch& prefetch, const PrefetchMore& prefetch_more,
+                       const Step& step) {
     std::size_t kept = 0;
     for (std::size_t k = 0; k < active_.size(); ++k) {
       NearPair& pair = active_[k];
       if (k + pairs_ahead < active_.size() && active_[k + pairs_ahead].touched)
         prefetch(active_[k + pairs_ahead]);
+      if (k + pairs_ahead / 2 < active_.size() && active_[k + pairs_ahead / 2].touched)
+        prefetch_more(active_[k + pairs_ahead / 2]);
       if (!step(pair))
         continue;
       if (kept != k)
@@ -135,8 +140,8 @@ class NeighbourPairs {
   }
   /// The histories of pairs lie apart in memory: asked for in time, they are there when needed.
   static void prefetch_history(const NearPair& pair) {
-    __builtin_prefetch(pair.history, 1);
-    __builtin_prefetch(pair.history + doubles_per_cache_line, 1);
+    ellipsoid::prefetch_to_write(pair.history);
+    ellipsoid::prefetch_to_write(pair.history + doubles_per_cache_line);
   }
 
   /// The check of a pair that is apart is deferred.

@@ -7,6 +7,7 @@
 #include "neighbor.h"
 #include "pair_gran_ellipsoid.h"
 #include "update.h"
+#include "vectorised/prefetch.h"
 
 #include <cmath>
 
@@ -207,29 +208,31 @@ void SmoothContacts::find_gaps(PairForces& forces) {
 void SmoothContacts::search_active_pairs(PairForces& forces) {
   const auto prefetch = [this](const NearPair& pair) {
     pairs_.prefetch_history(pair);
-    __builtin_prefetch(shapes_.address(pair.j), 1);
-    __builtin_prefetch(particles_.x[pair.j]);
-    __builtin_prefetch(particles_.v[pair.j]);
-    __builtin_prefetch(particles_.omega[pair.j]);
+    ellipsoid::prefetch_to_write(shapes_.address(pair.j));
+    ellipsoid::prefetch(particles_.x[pair.j]);
+    ellipsoid::prefetch(particles_.v[pair.j]);
+    ellipsoid::prefetch(particles_.omega[pair.j]);
   };
-  pairs_.for_each_active(prefetch, [this, &forces](NearPair& pair) {
-    if (!pair.history || pair.history[was_touching] == 0.0) {
-      const bool stays_active = search_alone(pair, forces);
-      pair.touched = true;
-      return stays_active;
-    }
-    pair.touched = true;
-    Contact& contact = in_search_[batch_.size()]; // number by number: see contact_batch.h
-    contact.i = pair.i;
-    contact.j = pair.j;
-    contact.flag = pair.flag;
-    contact.history = pair.history;
-    batch_.add(shapes_[pair.i], shapes_[pair.j], centre_distance(pair.i, pair.j),
-               -vector(&pair.history[normal_x]));
-    if (batch_.full())
-      search_together(forces);
-    return true;
-  });
+  pairs_.for_each_active(
+      prefetch, [](const NearPair&) {},
+      [this, &forces](NearPair& pair) {
+        if (!pair.history || pair.history[was_touching] == 0.0) {
+          const bool stays_active = search_alone(pair, forces);
+          pair.touched = true;
+          return stays_active;
+        }
+        pair.touched = true;
+        Contact& contact = in_search_[batch_.size()]; // number by number: see contact_batch.h
+        contact.i = pair.i;
+        contact.j = pair.j;
+        contact.flag = pair.flag;
+        contact.history = pair.history;
+        batch_.add(shapes_[pair.i], shapes_[pair.j], centre_distance(pair.i, pair.j),
+                   -vector(&pair.history[normal_x]));
+        if (batch_.full())
+          search_together(forces);
+        return true;
+      });
   search_together(forces);
   forces.apply_added();
 }

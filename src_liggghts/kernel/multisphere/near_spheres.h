@@ -10,6 +10,7 @@
 
 #include "multisphere/multisphere_contact.h"
 #include "separation/motion_clocks.h"
+#include "vectorised/prefetch.h"
 
 #include <cstddef>
 #include <vector>
@@ -47,6 +48,14 @@ class NearSpheres {
   }
   /// Whether the last search found no spheres to test.
   bool is_empty(std::size_t pair) const { return of_pairs_[pair].count == 0; }
+
+  /// Asks the processor for what is remembered of a pair; then for its spheres.
+  void prefetch_pair(std::size_t pair) const { prefetch(&of_pairs_[pair]); }
+  void prefetch_spheres(std::size_t pair) const {
+    const SpherePair* spheres = &spheres_[of_pairs_[pair].first];
+    prefetch_to_write(spheres);
+    prefetch_to_write(spheres + 2);
+  }
 
   struct Search {
     double gap; ///< until the bodies are closer by so much no other spheres touch (length)

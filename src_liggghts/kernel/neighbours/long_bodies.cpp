@@ -2,6 +2,7 @@
 #include "neighbours/long_bodies.h"
 
 #include "math/vector3.h"
+#include "vectorised/prefetch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -137,7 +138,7 @@ void LongBodies::collect(int i) {
       if (j == i || last_asker == i)
         continue;
       last_asker = i;
-      __builtin_prefetch(&bodies_[static_cast<std::size_t>(j)]);
+      prefetch(&bodies_[static_cast<std::size_t>(j)]);
       near_.push_back(j);
     }
 }
