@@ -22,9 +22,6 @@ class HostPairStyle : public LAMMPS_NS::PairGran {
  public:
   explicit HostPairStyle(LAMMPS_NS::LAMMPS* lmp) : PairGran(lmp) {}
 
-  /// Numbers of a pair in the history lists.
-  int history_length() const { return fix_history->get_dnum(); }
-
   /// For commands that list the contacts of a step, like compute pair/gran/local: begin, add each
   /// contact, end.
   void begin_list() {

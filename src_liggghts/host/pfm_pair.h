@@ -19,9 +19,6 @@ class HostPairStyle : public LAMMPS_NS::PairGran {
 
   virtual bool contact_match(const std::string type, const std::string model) = 0;
 
-  /// Numbers of a pair in the history lists.
-  int history_length() const { return const_cast<HostPairStyle*>(this)->dnum(); }
-
   /// For compute pair/gran/local: add each contact of a step.
   void begin_list() {}
   void add_to_list(LIGGGHTS::ContactModels::SurfacesIntersectData& contact,

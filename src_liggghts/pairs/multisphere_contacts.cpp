@@ -33,7 +33,15 @@ void MultisphereContacts::read_settings(const ModelSettings& settings) {
   pair_.repeat_history(slots_);
 }
 
+bool MultisphereContacts::recall_histories() {
+  pairs_.begin_step(pair_.list, pair_.listgranhistory, pair_.dnum());
+  return pairs_.recall_rows(*pair_.contact_history(), atom->tag);
+}
+
+/// 0: the pair has no history.
 inline int MultisphereContacts::slots(const NearPair& pair) const {
+  if (!pair.history)
+    return 0;
   return slots_ + static_cast<int>(pair_.more_history().size(pair.index)) / slot_values_;
 }
 
@@ -114,8 +122,7 @@ bool MultisphereContacts::update_contacts(NearPair& pair, PairForces& forces) {
 
 /// Finds the spheres that have to be tested in the next steps.
 /// @return whether there are any
-bool MultisphereContacts::search(const NearPair& pair, const Vector3& distance,
-                                 PairForces& forces) {
+bool MultisphereContacts::search(NearPair& pair, const Vector3& distance, PairForces& forces) {
   const int i = pair.i, j = pair.j;
   const double approach = clocks().approach(i, j);
   const ellipsoid::NearSpheres::Search result = near_spheres_.search(
@@ -125,6 +132,7 @@ bool MultisphereContacts::search(const NearPair& pair, const Vector3& distance,
     recall_slots(pair, forces);
   if (near_spheres_.is_empty(pair.index)) {
     *pair.flag = 0;
+    end_history(pair);
     pairs_.defer(pair.index, i, result.gap, approach, clocks());
     return false;
   }
@@ -186,7 +194,7 @@ void MultisphereContacts::recall_slots(const NearPair& pair, PairForces& forces)
 }
 
 /// Known contacts keep their slots, contacts that ended leave theirs, new ones get free slots.
-void MultisphereContacts::update_slots(const NearPair& pair, PairForces& forces) {
+void MultisphereContacts::update_slots(NearPair& pair, PairForces& forces) {
   const auto *touching = touching_.data(), *last = touching + found_;
   for (SpherePair *s = near_spheres_.begin(pair.index), *end = near_spheres_.end(pair.index);
        s != end; ++s) {
@@ -198,6 +206,10 @@ void MultisphereContacts::update_slots(const NearPair& pair, PairForces& forces)
     }
   }
   *pair.flag = 0;
+  if (found_ == 0)
+    return end_history(pair);
+  if (!pair.history)
+    pairs_.begin_history(pair);
   int free_slot = 0;
   for (touching = touching_.data(); touching != last; ++touching) {
     SpherePair* s = touching->spheres;
@@ -209,6 +221,12 @@ void MultisphereContacts::update_slots(const NearPair& pair, PairForces& forces)
     slot[key_sum] = s->sphere_i + s->sphere_j + 1;
     slot[key_difference] = s->sphere_i - s->sphere_j;
   }
+}
+
+/// All its slots are free.
+void MultisphereContacts::end_history(NearPair& pair) {
+  if (pair.history)
+    pairs_.end_history(pair);
 }
 
 /// Not before `first`; a pair whose slots are full gets another one.

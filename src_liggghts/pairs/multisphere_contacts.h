@@ -3,8 +3,8 @@
 // Contacts of multi-sphere ellipsoids: every touching pair of sub-spheres is a contact of its own
 // (Markauskas et al. 2010, section 3.4).
 //
-// The history of a pair is a row of equal slots, one per contact: the first `contacts` of them lie
-// in the host's lists, those beyond, which few pairs have, in more_history.h. A slot starts with
+// The history of a pair that touches is a row of equal slots, one per contact: `contacts` of them,
+// those beyond, which few pairs have, in more_history.h. A slot starts with
 // its key: the sum of the two sphere numbers + 1 (0: free) and their difference, which changes sign
 // when the pair is seen from j; the values of the contact models follow.
 #pragma once
@@ -28,6 +28,9 @@ class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers 
   ContactCounts compute(PairForces& forces, bool is_time_step) override;
   void ghosts_are_new() override { chains_.ghosts_are_new(); }
   ellipsoid::BodyBounds bounds(int i) override { return chains_.bounds(i); }
+  const HistoryRows& history_rows() const override { return pairs_.rows(); }
+  bool recall_histories() override;
+  void histories_are_kept(bool all) override { pairs_.histories_are_kept(all); }
 
  private:
   enum { key_sum, key_difference }; // offsets in a slot
@@ -43,7 +46,7 @@ class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers 
   LAMMPS_NS::PairGranEllipsoid& pair_;
   ParticleArrays particles_;
   MultisphereParticles chains_;
-  NeighbourPairs pairs_{NeighbourPairs::Histories::of_all};
+  NeighbourPairs pairs_;
   double listed_pairs_ = 0.0, near_pairs_ = 0.0;
   ContactCounts counts_;
   ellipsoid::NearSpheres near_spheres_;
@@ -54,11 +57,12 @@ class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers 
 
   void begin_lists();
   bool update_contacts(NearPair& pair, PairForces& forces);
-  bool search(const NearPair& pair, const ellipsoid::Vector3& distance, PairForces& forces);
+  bool search(NearPair& pair, const ellipsoid::Vector3& distance, PairForces& forces);
   double search_gap(int i, int j, double approach);
   void find_touching(const NearPair& pair, const ellipsoid::Vector3& distance);
   void recall_slots(const NearPair& pair, PairForces& forces);
-  void update_slots(const NearPair& pair, PairForces& forces);
+  void update_slots(NearPair& pair, PairForces& forces);
+  void end_history(NearPair& pair);
   int find_free_slot(const NearPair& pair, int first);
   void close_slot(const NearPair& pair, int number, PairForces& forces);
   void add_contacts(const NearPair& pair, const ellipsoid::Vector3& distance, PairForces& forces);

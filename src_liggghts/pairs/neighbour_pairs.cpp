@@ -15,7 +15,9 @@ constexpr double steps_in_margin = 20.0;
 } // namespace
 
 /// In new lists the host has flagged the pairs whose ids are among the partners it has kept.
-void NeighbourPairs::recall_rows(LAMMPS_NS::FixContactHistory& kept, const int* tags) {
+bool NeighbourPairs::recall_rows(LAMMPS_NS::FixContactHistory& kept, const int* tags) {
+  if (!are_kept_)
+    return false;
   active_.clear();
   rows_.clear(history_values_);
   for_each_in_lists([&](const Candidate& pair) {
@@ -31,13 +33,14 @@ void NeighbourPairs::recall_rows(LAMMPS_NS::FixContactHistory& kept, const int* 
         break;
       }
   });
+  return true;
 }
 
 void NeighbourPairs::begin_choice(double skin, ellipsoid::MotionClocks& clocks) {
   for (std::size_t particle = 0; particle < clocks.size(); ++particle)
     clocks.set_margin(particle, std::max(0.5 * skin, steps_in_margin * clocks.way(particle)));
   for (NearPair& pair : active_)
-    if (in_rows_ && pair.history && !*pair.flag)
+    if (pair.history && !*pair.flag)
       end_history(pair);
   active_.clear();
   entries_.clear();

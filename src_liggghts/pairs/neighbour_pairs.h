@@ -22,11 +22,6 @@ namespace ellipsoid_host {
 
 class NeighbourPairs {
  public:
-  /// Where the histories of pairs are: all of them in the host's lists, or only those of pairs that
-  /// touch, in rows. The lists hold the number of the row then.
-  enum class Histories { of_all, of_touching };
-  explicit NeighbourPairs(Histories histories) : in_rows_(histories == Histories::of_touching) {}
-
   /// @param[in] lists of the pair style, @param[in] histories as many lists of flags and histories
   /// @param[in] history_values of a pair
   void begin_step(const LAMMPS_NS::NeighList* lists, const LAMMPS_NS::NeighList* histories,
@@ -36,10 +31,13 @@ class NeighbourPairs {
     history_values_ = history_values;
   }
 
-  /// Histories in rows: the lists are new. Pairs that touched before get back what the host has
-  /// kept.
+  /// The lists are new: pairs that touched before get back what the host's fix has kept, if it has
+  /// the histories as they were.
   /// @param[in] tags ids of the particles
-  void recall_rows(LAMMPS_NS::FixContactHistory& kept, const int* tags);
+  /// @return whether it has
+  bool recall_rows(LAMMPS_NS::FixContactHistory& kept, const int* tags);
+  /// @param[in] all the host's fix has what the histories are at present
+  void histories_are_kept(bool all) { are_kept_ = all; }
   const HistoryRows& rows() const { return rows_; }
   /// The pair, which has no history, gets one: numbers that are 0.
   void begin_history(NearPair& pair) {
@@ -99,12 +97,9 @@ class NeighbourPairs {
   bool is_flagged(const Candidate& candidate) const {
     return histories_->firstneigh[candidate.i][candidate.entry] != 0;
   }
-  /// Null: in rows, and the pair has none.
+  /// Null: the pair has none.
   double* history(const Candidate& candidate) const {
-    double* list = histories_->firstdouble[candidate.i];
-    if (!in_rows_)
-      return &list[static_cast<std::size_t>(history_values_) * candidate.entry];
-    const int row = static_cast<int>(list[candidate.entry]);
+    const int row = static_cast<int>(histories_->firstdouble[candidate.i][candidate.entry]);
     return row == 0 ? nullptr : rows_.at(row);
   }
 
@@ -171,8 +166,8 @@ class NeighbourPairs {
   const LAMMPS_NS::NeighList* lists_ = nullptr;
   const LAMMPS_NS::NeighList* histories_ = nullptr;
   int history_values_ = 0;
-  const bool in_rows_;
-  HistoryRows rows_;
+  HistoryRows rows_; ///< of pairs that touch; the host's lists hold the number of the row
+  bool are_kept_ = true;
   std::vector<std::uint32_t> entries_; ///< of the near pairs in the host's lists
   std::vector<std::uint32_t> ends_;    ///< by i: index after its last near pair
   std::vector<NearPair> active_;

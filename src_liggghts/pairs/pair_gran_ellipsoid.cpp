@@ -170,18 +170,15 @@ void PairGranEllipsoid::init_style() {
   keep_history();
 }
 
-/// Where only pairs that touch have a history, the host's lists hold one number per pair: its row.
+/// Only pairs that touch have a history: the host's lists hold one number per pair, its row.
 void PairGranEllipsoid::shorten_lists() {
-  if (!contacts_->history_rows())
-    return;
   for (int k = 0; k < neighbor->nrequest; ++k)
     if (neighbor->requests[k]->requestor == this && neighbor->requests[k]->granhistory)
       neighbor->requests[k]->dnum = 1;
 }
 
 double* PairGranEllipsoid::history(double* in_list, int entry) const {
-  const HistoryRows* rows = contacts_->history_rows();
-  return rows ? rows->at(static_cast<int>(in_list[entry])) : &in_list[history_length() * entry];
+  return contacts_->history_rows().at(static_cast<int>(in_list[entry]));
 }
 
 void PairGranEllipsoid::keep_histories() { contacts_->histories_are_kept(true); }

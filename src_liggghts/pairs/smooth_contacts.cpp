@@ -54,11 +54,8 @@ ellipsoid::BodyBounds SmoothContacts::bounds(int i) {
 }
 
 bool SmoothContacts::recall_histories() {
-  if (!are_kept_)
-    return false;
   pairs_.begin_step(pair_.list, pair_.listgranhistory, pair_.dnum());
-  pairs_.recall_rows(*pair_.contact_history(), atom->tag);
-  return true;
+  return pairs_.recall_rows(*pair_.contact_history(), atom->tag);
 }
 
 void SmoothContacts::choose_pairs() {

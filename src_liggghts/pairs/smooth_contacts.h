@@ -27,9 +27,9 @@ class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
   void read_settings(const ModelSettings&) override {}
   ContactCounts compute(PairForces& forces, bool is_time_step) override;
   ellipsoid::BodyBounds bounds(int i) override;
-  const HistoryRows* history_rows() const override { return &pairs_.rows(); }
+  const HistoryRows& history_rows() const override { return pairs_.rows(); }
   bool recall_histories() override;
-  void histories_are_kept(bool all) override { are_kept_ = all; }
+  void histories_are_kept(bool all) override { pairs_.histories_are_kept(all); }
 
  private:
   enum { normal_x, normal_y, normal_z, was_touching }; // offsets in the history
@@ -38,11 +38,10 @@ class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
   ParticleArrays particles_;
   EllipsoidShapes shapes_;
   SurfaceMotions motions_;
-  NeighbourPairs pairs_{NeighbourPairs::Histories::of_touching};
+  NeighbourPairs pairs_;
   std::vector<ellipsoid::Vector3> normals_; ///< by near pair, from i to j; 0: none
   double listed_pairs_ = 0.0, near_pairs_ = 0.0;
   bool is_time_step_ = false;
-  bool are_kept_ = true;       // the host's fix has the histories as they are
   bool flags_are_set_ = false; // of all pairs that touched in the last step
   ContactCounts counts_;
 

@@ -24,13 +24,13 @@ class SurfaceContacts {
   virtual void ghosts_are_new() {}
   /// What an owned or ghost particle lies within: no contact is possible outside.
   virtual ellipsoid::BodyBounds bounds(int i) = 0;
-  /// The rows of histories whose numbers the host's lists hold; null: the lists hold the histories.
-  virtual const HistoryRows* history_rows() const { return nullptr; }
+  /// The rows of histories whose numbers the host's lists hold.
+  virtual const HistoryRows& history_rows() const = 0;
   /// When the lists are new: pairs that touched get back what the host's fix has kept.
   /// @return whether they did
-  virtual bool recall_histories() { return false; }
+  virtual bool recall_histories() = 0;
   /// @param[in] all the host's fix has what the histories are at present
-  virtual void histories_are_kept(bool all) { static_cast<void>(all); }
+  virtual void histories_are_kept(bool all) = 0;
 };
 
 } // namespace ellipsoid_host
