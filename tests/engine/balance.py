@@ -145,7 +145,7 @@ class BadInput(unittest.TestCase):
     def fails(self, script, *words):
         outcome = run(script + "run 1\n", 2, check=False, name="in.bad")
         self.assertNotEqual(outcome.code, 0)
-        lines = [line for line in outcome.text.splitlines() if "ERROR" in line]
+        lines = [line for line in outcome.text.splitlines() if line.startswith("ERROR")]
         self.assertEqual(len(lines), 1, outcome.text[-2000:])
         for word in words:
             self.assertIn(word, lines[0])

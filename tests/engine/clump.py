@@ -192,7 +192,7 @@ class Files(unittest.TestCase):
         for words, begin in (("clump hook.csv", "as clumps have; "), ("semiaxes 2.4e-3 1e-3 1e-3 subspheres 5", "fix particletemplate")):
             run(setup().without_particles() + insertion(TEMPLATE + words, 10) + "write_restart bare\n")
             message = fails(setup().header() + "read_restart bare\n" + setup().properties() + self.MOTION + "run 1\n")
-            (line,) = [line for line in message.splitlines() if "ERROR" in line]
+            (line,) = [line for line in message.splitlines() if line.startswith("ERROR")]
             self.assertIn(begin, line)
             self.assertIn(repeat, line)
 
@@ -355,7 +355,7 @@ class BadInput(unittest.TestCase):
         if content is not None:
             Path("bad.csv").write_text(content)
         text = fails(setup().without_particles() + TEMPLATE + words + "\n")
-        lines = [line for line in text.splitlines() if "ERROR" in line]
+        lines = [line for line in text.splitlines() if line.startswith("ERROR")]
         self.assertEqual(len(lines), 1, text)
         return lines[0]
 

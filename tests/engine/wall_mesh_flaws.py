@@ -157,7 +157,7 @@ class Refusals(unittest.TestCase):
     def refused(self, script, *words):
         outcome = run(script, check=False)
         self.assertEqual(outcome.code, 1)
-        lines = [line for line in outcome.text.splitlines() if "ERROR" in line]
+        lines = [line for line in outcome.text.splitlines() if line.startswith("ERROR")]
         self.assertEqual(len(lines), 1, outcome.text[-2000:])
         for word in words:
             self.assertIn(word, lines[0])
