@@ -21,7 +21,7 @@ using namespace LAMMPS_NS;
 using ellipsoid::Vector3;
 
 MultisphereContacts::MultisphereContacts(LAMMPS* lmp, PairGranEllipsoid& pair)
-    : Pointers(lmp), pair_(pair), chains_(lmp) {
+    : SurfaceContacts(lmp, pair), chains_(lmp) {
   pair_.add_history_value("spheres", "0");
   pair_.add_history_value("sphere_difference", "1");
 }
@@ -31,11 +31,6 @@ void MultisphereContacts::read_settings(const ModelSettings& settings) {
   slots_ = LIGGGHTS::ContactModels::ContactsSetting::in(settings);
   rule_ = LIGGGHTS::ContactModels::MulticontactSetting::in(settings);
   pair_.repeat_history(slots_);
-}
-
-bool MultisphereContacts::recall_histories() {
-  pairs_.begin_step(pair_.list, pair_.listgranhistory, pair_.dnum());
-  return pairs_.recall_rows(*pair_.contact_history(), atom->tag);
 }
 
 /// 0: the pair has no history.
@@ -55,7 +50,7 @@ inline double* MultisphereContacts::slot(const NearPair& pair, int number) const
 ContactCounts MultisphereContacts::compute(PairForces& forces, bool is_time_step) {
   counts_ = ContactCounts();
   particles_ = ParticleArrays(*atom);
-  pairs_.begin_step(pair_.list, pair_.listgranhistory, pair_.dnum());
+  begin_pairs();
   if (!is_time_step)
     clocks().forget();
   if (chains_.update()) {
@@ -132,7 +127,7 @@ bool MultisphereContacts::search(NearPair& pair, const Vector3& distance, PairFo
     recall_slots(pair, forces);
   if (near_spheres_.is_empty(pair.index)) {
     *pair.flag = 0;
-    end_history(pair);
+    pairs_.end_history(pair);
     pairs_.defer(pair.index, i, result.gap, approach, clocks());
     return false;
   }
@@ -207,7 +202,7 @@ void MultisphereContacts::update_slots(NearPair& pair, PairForces& forces) {
   }
   *pair.flag = 0;
   if (found_ == 0)
-    return end_history(pair);
+    return pairs_.end_history(pair);
   if (!pair.history)
     pairs_.begin_history(pair);
   int free_slot = 0;
@@ -221,12 +216,6 @@ void MultisphereContacts::update_slots(NearPair& pair, PairForces& forces) {
     slot[key_sum] = s->sphere_i + s->sphere_j + 1;
     slot[key_difference] = s->sphere_i - s->sphere_j;
   }
-}
-
-/// All its slots are free.
-void MultisphereContacts::end_history(NearPair& pair) {
-  if (pair.history)
-    pairs_.end_history(pair);
 }
 
 /// Not before `first`; a pair whose slots are full gets another one.

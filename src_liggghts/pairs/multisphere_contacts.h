@@ -11,7 +11,6 @@
 
 #include "multisphere/near_spheres.h"
 #include "multisphere_particles.h"
-#include "neighbour_pairs.h"
 #include "pair_forces.h"
 #include "particle_arrays.h"
 #include "surface_contacts.h"
@@ -21,16 +20,13 @@
 
 namespace ellipsoid_host {
 
-class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
+class MultisphereContacts : public SurfaceContacts {
  public:
   MultisphereContacts(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::PairGranEllipsoid& pair);
   void read_settings(const ModelSettings& settings) override;
   ContactCounts compute(PairForces& forces, bool is_time_step) override;
   void ghosts_are_new() override { chains_.ghosts_are_new(); }
   ellipsoid::BodyBounds bounds(int i) override { return chains_.bounds(i); }
-  const HistoryRows& history_rows() const override { return pairs_.rows(); }
-  bool recall_histories() override;
-  void histories_are_kept(bool all) override { pairs_.histories_are_kept(all); }
 
  private:
   enum { key_sum, key_difference }; // offsets in a slot
@@ -43,10 +39,8 @@ class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers 
   static constexpr int largest_slot = std::numeric_limits<short>::max();
   static constexpr double smallest_gap_share = 1e-3, largest_gap_share = 0.1;
 
-  LAMMPS_NS::PairGranEllipsoid& pair_;
   ParticleArrays particles_;
   MultisphereParticles chains_;
-  NeighbourPairs pairs_;
   double listed_pairs_ = 0.0, near_pairs_ = 0.0;
   ContactCounts counts_;
   ellipsoid::NearSpheres near_spheres_;
@@ -62,7 +56,6 @@ class MultisphereContacts : public SurfaceContacts, private LAMMPS_NS::Pointers 
   void find_touching(const NearPair& pair, const ellipsoid::Vector3& distance);
   void recall_slots(const NearPair& pair, PairForces& forces);
   void update_slots(NearPair& pair, PairForces& forces);
-  void end_history(NearPair& pair);
   int find_free_slot(const NearPair& pair, int first);
   void close_slot(const NearPair& pair, int number, PairForces& forces);
   void add_contacts(const NearPair& pair, const ellipsoid::Vector3& distance, PairForces& forces);

@@ -40,7 +40,7 @@ void NeighbourPairs::begin_choice(double skin, ellipsoid::MotionClocks& clocks) 
   for (std::size_t particle = 0; particle < clocks.size(); ++particle)
     clocks.set_margin(particle, std::max(0.5 * skin, steps_in_margin * clocks.way(particle)));
   for (NearPair& pair : active_)
-    if (pair.history && !*pair.flag)
+    if (!*pair.flag)
       end_history(pair);
   active_.clear();
   entries_.clear();

@@ -45,7 +45,10 @@ class NeighbourPairs {
     row_number(pair) = row;
     pair.history = rows_.at(row);
   }
+  /// Does nothing where the pair has none.
   void end_history(NearPair& pair) {
+    if (!pair.history)
+      return;
     double& row = row_number(pair);
     rows_.free(static_cast<int>(row));
     row = 0.0;

@@ -16,7 +16,7 @@ namespace ellipsoid_host {
 using namespace LAMMPS_NS;
 using ellipsoid::Vector3;
 
-SmoothContacts::SmoothContacts(LAMMPS* lmp, PairGranEllipsoid& pair) : Pointers(lmp), pair_(pair) {
+SmoothContacts::SmoothContacts(LAMMPS* lmp, PairGranEllipsoid& pair) : SurfaceContacts(lmp, pair) {
   for (const char* component : {"normalx", "normaly", "normalz"})
     pair_.add_history_value(component, "1");
   pair_.add_history_value("touching", "0");
@@ -30,7 +30,7 @@ ContactCounts SmoothContacts::compute(PairForces& forces, bool is_time_step) {
   counts_ = ContactCounts();
   particles_ = ParticleArrays(*atom);
   is_time_step_ = is_time_step;
-  pairs_.begin_step(pair_.list, pair_.listgranhistory, pair_.dnum());
+  begin_pairs();
   if (!is_time_step)
     motions_.clocks().forget();
   const bool new_lists = motions_.update(*atom, update->dt, neighbor->ago == 0);
@@ -51,11 +51,6 @@ ContactCounts SmoothContacts::compute(PairForces& forces, bool is_time_step) {
 
 ellipsoid::BodyBounds SmoothContacts::bounds(int i) {
   return ellipsoid::bounds_of_ellipsoid(vector(atom->shape[i]));
-}
-
-bool SmoothContacts::recall_histories() {
-  pairs_.begin_step(pair_.list, pair_.listgranhistory, pair_.dnum());
-  return pairs_.recall_rows(*pair_.contact_history(), atom->tag);
 }
 
 void SmoothContacts::choose_pairs() {

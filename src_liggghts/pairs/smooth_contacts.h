@@ -11,7 +11,6 @@
 #include "ellipsoid/contact_batch.h"
 #include "ellipsoid/first_gaps.h"
 #include "ellipsoid_shapes.h"
-#include "neighbour_pairs.h"
 #include "pair_forces.h"
 #include "particle_arrays.h"
 #include "surface_contacts.h"
@@ -21,24 +20,19 @@
 
 namespace ellipsoid_host {
 
-class SmoothContacts : public SurfaceContacts, private LAMMPS_NS::Pointers {
+class SmoothContacts : public SurfaceContacts {
  public:
   SmoothContacts(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::PairGranEllipsoid& pair);
   void read_settings(const ModelSettings&) override {}
   ContactCounts compute(PairForces& forces, bool is_time_step) override;
   ellipsoid::BodyBounds bounds(int i) override;
-  const HistoryRows& history_rows() const override { return pairs_.rows(); }
-  bool recall_histories() override;
-  void histories_are_kept(bool all) override { pairs_.histories_are_kept(all); }
 
  private:
   enum { normal_x, normal_y, normal_z, was_touching }; // offsets in the history
 
-  LAMMPS_NS::PairGranEllipsoid& pair_;
   ParticleArrays particles_;
   EllipsoidShapes shapes_;
   SurfaceMotions motions_;
-  NeighbourPairs pairs_;
   std::vector<ellipsoid::Vector3> normals_; ///< by near pair, from i to j; 0: none
   double listed_pairs_ = 0.0, near_pairs_ = 0.0;
   bool is_time_step_ = false;

@@ -2,8 +2,13 @@
 #pragma once
 
 #include "contact_counts.h"
-#include "history_rows.h"
+#include "neighbour_pairs.h"
 #include "neighbours/body_bounds.h"
+#include "pointers.h"
+
+namespace LAMMPS_NS {
+class PairGranEllipsoid;
+}
 
 namespace ellipsoid_host {
 
@@ -12,8 +17,10 @@ class ModelSettings;
 
 /// The contacts of all pairs of particles with one kind of surface: finds them, and hands them to
 /// the forces.
-class SurfaceContacts {
+class SurfaceContacts : protected LAMMPS_NS::Pointers {
  public:
+  SurfaceContacts(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::PairGranEllipsoid& pair)
+      : Pointers(lmp), pair_(pair) {}
   virtual ~SurfaceContacts() = default;
   /// After the contact models have added their values to the history.
   virtual void read_settings(const ModelSettings& settings) = 0;
@@ -25,12 +32,19 @@ class SurfaceContacts {
   /// What an owned or ghost particle lies within: no contact is possible outside.
   virtual ellipsoid::BodyBounds bounds(int i) = 0;
   /// The rows of histories whose numbers the host's lists hold.
-  virtual const HistoryRows& history_rows() const = 0;
+  const HistoryRows& history_rows() const { return pairs_.rows(); }
   /// When the lists are new: pairs that touched get back what the host's fix has kept.
   /// @return whether they did
-  virtual bool recall_histories() = 0;
+  bool recall_histories();
   /// @param[in] all the host's fix has what the histories are at present
-  virtual void histories_are_kept(bool all) = 0;
+  void histories_are_kept(bool all) { pairs_.histories_are_kept(all); }
+
+ protected:
+  LAMMPS_NS::PairGranEllipsoid& pair_;
+  NeighbourPairs pairs_;
+
+  /// The host's lists are those of this step.
+  void begin_pairs();
 };
 
 } // namespace ellipsoid_host
