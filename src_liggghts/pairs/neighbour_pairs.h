@@ -116,18 +116,20 @@ class NeighbourPairs {
   /// Calls step(pair) for all active pairs, in the order in which they became so. Those for which
   /// it returns false are not active any more.
   /// @param[in] prefetch prefetch(pair): asks the processor for what step() will read; called some
-  ///            pairs ahead, for pairs that touched
+  ///            pairs ahead, for pairs that touched, where there are so many that caches are small
   /// @param[in] prefetch_more the same for what stands where that points to, half as far ahead
   template <class Prefetch, class PrefetchMore, class Step>
   void for_each_active(const Prefetch& prefetch, const PrefetchMore& prefetch_more,
                        const Step& step) {
+    const std::size_t count = active_.size();
+    const std::size_t ahead = count > pairs_in_cache ? pairs_ahead : 2 * count;
     std::size_t kept = 0;
-    for (std::size_t k = 0; k < active_.size(); ++k) {
+    for (std::size_t k = 0; k < count; ++k) {
       NearPair& pair = active_[k];
-      if (k + pairs_ahead < active_.size() && active_[k + pairs_ahead].touched)
-        prefetch(active_[k + pairs_ahead]);
-      if (k + pairs_ahead / 2 < active_.size() && active_[k + pairs_ahead / 2].touched)
-        prefetch_more(active_[k + pairs_ahead / 2]);
+      if (k + ahead < count && active_[k + ahead].touched)
+        prefetch(active_[k + ahead]);
+      if (k + ahead / 2 < count && active_[k + ahead / 2].touched)
+        prefetch_more(active_[k + ahead / 2]);
       if (!step(pair))
         continue;
       if (kept != k)
@@ -164,6 +166,7 @@ class NeighbourPairs {
 
  private:
   static constexpr std::size_t pairs_ahead = 16;
+  static constexpr std::size_t pairs_in_cache = 4000; ///< their data need not be asked for
   static constexpr std::ptrdiff_t doubles_per_cache_line = 8;
 
   const LAMMPS_NS::NeighList* lists_ = nullptr;
