@@ -3,11 +3,13 @@
 ASCII STL in metres.
 
     python3 make_meshes.py
+    python3 make_meshes.py --edge 1.5e-3      (only the benchmark's drum, of triangles with edges of about 1.5 mm)
 
 To change a mesh change the numbers in main(). A wall is a surface without thickness: particles may touch
 either side.
 """
 
+import argparse
 import math
 
 
@@ -32,6 +34,29 @@ def disc(corners):
     return [(corners[k], corners[(k + 1) % len(corners)], centre) for k in range(len(corners))]
 
 
+def fine_tube(radius, lower, upper, edge):
+    """A cylinder about the z axis, of triangles with edges of about `edge`."""
+    segments, rows = math.ceil(2.0 * math.pi * radius / edge), math.ceil((upper - lower) / edge)
+    rings = [ring(radius, lower + (upper - lower) * k / rows, segments) for k in range(rows + 1)]
+    return [triangle for k in range(rows) for triangle in band(rings[k], rings[k + 1])]
+
+
+def fine_disc(radius, edge):
+    """A disc of triangles with edges of about `edge`: the k-th ring about its centre has 6 k corners."""
+    count, centre, triangles = math.ceil(radius / edge), [(0.0, 0.0, 0.0)], []
+    rings = [centre] + [ring(radius * k / count, 0.0, 6 * k) for k in range(1, count + 1)]
+    for k in range(1, count + 1):
+        inner, outer = rings[k - 1], rings[k]
+        for sector in range(6):
+            first, begin = sector * (k - 1), sector * k
+            for n in range(k):
+                near, corner = inner[(first + n) % len(inner)], outer[begin + n]
+                triangles.append((corner, outer[(begin + n + 1) % len(outer)], near))
+                if n > 0:
+                    triangles.append((inner[first + n - 1], corner, near))
+    return triangles
+
+
 def along_y(triangles):
     """The z axis becomes the y axis."""
     return [tuple((x, z, -y) for x, y, z in triangle) for triangle in triangles]
@@ -49,6 +74,19 @@ def write_stl(name, triangles):
 
 
 def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--edge", type=float, help="m, 1e-4 to 0.03: only the benchmark's drum, with edges of this length")
+    edge = parser.parse_args().edge
+    if edge is None:
+        write_all()
+    elif 1e-4 <= edge <= 0.03:
+        write_stl("benchmark_shell.stl", along_y(fine_tube(0.1, -0.03, 0.03, edge)))
+        write_stl("benchmark_disc.stl", fine_disc(1.0, edge / 0.1))
+    else:
+        parser.error(f"--edge is {edge}; allowed are 1e-4 to 0.03 (metres)")
+
+
+def write_all():
     segments = 24
     outlet, shoulder = ring(0.010, 0.040, segments), ring(0.030, 0.075, segments)
     write_stl("hopper.stl", band(outlet, shoulder) + band(shoulder, ring(0.030, 0.150, segments)))

@@ -29,6 +29,27 @@ class Meshes(unittest.TestCase):
         for name in names:
             self.assertEqual(Path(name).read_text(), (MESHES / name).read_text(), name)
 
+    def test_fine_walls_are_closed_and_have_edges_of_the_length_asked_for(self):
+        subprocess.run([sys.executable, MESHES / "make_meshes.py", "--edge", "7e-3"], check=True)
+        for name, scale, area, border in (("shell", 1.0, 2.0 * math.pi * 0.1 * 0.06, 4.0 * math.pi * 0.1),
+                                          ("disc", 0.1, math.pi * 0.1**2, 2.0 * math.pi * 0.1)):
+            lines = Path(f"benchmark_{name}.stl").read_text().splitlines()
+            corners = scale * np.array([line.split()[1:] for line in lines if line.startswith("vertex")], dtype=float)
+            triangles = corners.reshape(-1, 3, 3)
+            sides = triangles[:, 1:] - triangles[:, :1]
+            areas = 0.5 * np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1)
+            self.assertLess(abs(areas.sum() / area - 1.0), 0.002, name)
+            edges = np.stack([triangles, np.roll(triangles, 1, axis=1)], axis=2).reshape(-1, 2, 3)
+            lengths = np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1)
+            self.assertGreater(lengths.min(), 0.9 * 7e-3, name)
+            self.assertLess(lengths.max(), 1.5 * 7e-3, name)
+            points, numbers = np.unique(np.round(corners, 7), axis=0, return_inverse=True)
+            ends = np.sort(numbers.reshape(-1, 3)[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+            edge, times = np.unique(ends, axis=0, return_counts=True)
+            self.assertLessEqual(times.max(), 2, name)
+            rim = np.linalg.norm(points[edge[times == 1, 0]] - points[edge[times == 1, 1]], axis=1).sum()
+            self.assertLess(abs(rim / border - 1.0), 0.002, f"{name}: only its border is open")
+
 
 class Hopper(unittest.TestCase):
     OUTLET, SHOULDER, FROM, TO = 0.010, 0.030, 0.018, 0.053  # radii and heights of the cone, m
