@@ -14,10 +14,12 @@ except ImportError:
     sys.exit("study.sh: python3 lacks numpy; install it (Debian: python3-numpy)")
 
 import tables
+from creep import creep_table
 from fits import scan, surface_of
 from kept_runs import add, read_list
 from piles import read_pile
 from porosities import porosities
+from variants import aspect_table, sensitivity_table
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 
@@ -33,12 +35,14 @@ def tool(tools, *words):
 
 
 def measured(tools, results, tables_of_runs, row):
-    """A kept run with its measures, the scan of its fit and the readings of its porosity."""
+    """A kept run with its measures; one of the paper's matrix with the scan of its fit and the readings of its porosity."""
     file = results / row["file"]
     table = tables_of_runs / f"{row['run']}.csv"
     tool(tools, "pile", file, "--quiet", "--csv", table)
     with open(table, newline="") as stream:
         row |= {k: v for k, v in next(csv.DictReader(stream)).items() if k not in row}
+    if row["variant"]:
+        return row
     if row["kind"]:
         tool(tools, "pile", file, "--outline", "ellipse", "--quiet", "--csv",
              tables_of_runs / f"{row['run']}_ellipse.csv")
@@ -67,11 +71,12 @@ def draw(tools, results, out, tables_of_runs, law, runs):
                  "--discs", "--view", 0.02, 0.05, 0.0, 0.02)
 
 
-def parts_of(runs):
+def parts_of(runs, results):
     """{name of the marks: table}."""
-    parts = {"runs": tables.run_table(runs)}
+    parts = {"runs": tables.run_table(runs), "creep": creep_table(runs, results),
+             "sensitivity": sensitivity_table(runs), "aspects": aspect_table(runs)}
     for law in ("displacement", "velocity"):
-        mine = [r for r in runs if r["law"] == law]
+        mine = [r for r in runs if r["law"] == law and not r["variant"]]
         for name, table in (("means", tables.mean_table), ("statements", tables.statement_table),
                             ("fit", tables.scan_table), ("porosity", tables.porosity_table)):
             parts[f"{name} {law}"] = table(mine) if mine else "No runs of this law are kept yet.\n"
@@ -92,20 +97,21 @@ def main():
     given = arguments()
     if given.add and not given.commit:
         sys.exit("study.sh: --add needs --commit, the commit of the engine that ran")
-    if given.add:
-        print("kept:", *add(given.results, given.add, given.commit) or ["nothing new"])
     tools = Path(os.environ.get("ELLIPSOID_BIN", ROOT / "build" / "bin")) / "ellipsoid-post"
     if not os.access(tools, os.X_OK):
         sys.exit(f"study.sh: there is no {tools}; build it (bash inputs/quickstart.sh)")
+    if given.add:
+        print("kept:", *add(given.results, given.add, given.commit, tools) or ["nothing new"])
     out = Path(given.out or given.results / "study").resolve()
     out.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
         runs = [measured(tools, given.results, Path(folder), row) for row in read_list(given.results)]
-        for law in sorted({r["law"] for r in runs}):
-            draw(tools, given.results, out, Path(folder), law, [r for r in runs if r["law"] == law])
-    at_rest = [r for r in runs if r["law"] == "displacement"]
+        matrix = [r for r in runs if not r["variant"]]
+        for law in sorted({r["law"] for r in matrix}):
+            draw(tools, given.results, out, Path(folder), law, [r for r in matrix if r["law"] == law])
+    at_rest = [r for r in matrix if r["law"] == "displacement"]
     written = {"study.md": tables.filled_page, "study_values.h": tables.filled_header}
-    parts = {"study.md": parts_of(runs), "study_values.h": tables.difference_rows(at_rest)}
+    parts = {"study.md": parts_of(runs, given.results), "study_values.h": tables.difference_rows(at_rest)}
     for name, kept in targets().items():
         target = out / name if given.out else kept
         target.write_text(written[name](kept.read_text(), parts[name]))

@@ -35,11 +35,11 @@ def values(runs, key):
 
 
 def run_table(runs):
-    rows = [[r["law"], kind_name(r["kind"]), r["seed"], r["time_step_s"], r["commit"], r["run_time_s"] or "-",
+    rows = [[r["law"], r["variant"] or "-", kind_name(r["kind"]), r["seed"], r["time_step_s"], r["commit"], r["run_time_s"] or "-",
              f"{float(r['repose_angle_deg']):.1f} ± {float(r['repose_angle_standard_error_deg']):.1f}",
              f"{float(r['porosity']):.3f}", f"{float(r['zpp']):.2f}", f"{float(r['zss']):.2f}",
              f"{100.0 * float(r['mean_overlap_b']):.3f} %"] for r in runs]
-    return markdown(["law", "particles", "seed", "time step, s", "commit", "run time, s",
+    return markdown(["law", "changed", "particles", "seed", "time step, s", "commit", "run time, s",
                      "angle ± error of the fit, deg", "porosity", "Zpp", "Zss", "mean overlap, of b"], rows)
 
 

@@ -2,8 +2,10 @@
 """The study's page is what its command writes from the runs that are kept; its own measures, which share no code with
 ellipsoid-post, agree with it; confidence intervals cover the truth as often as they say; verdicts are right."""
 
+import csv
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -13,12 +15,14 @@ ROOT = pathlib.Path(os.environ["ELLIPSOID_SOURCE"])
 TOOLS = pathlib.Path(os.environ["ELLIPSOID_BIN"]) / "ellipsoid-post"
 sys.path.insert(0, str(ROOT / "inputs" / "study"))
 import main as study  # noqa: E402
+from creep import limit  # noqa: E402
 from fits import CUTS, SEGMENTS, THROUGH, line, scan, surface_of  # noqa: E402
 from kept_runs import read_list  # noqa: E402
 from piles import A, B, Pile  # noqa: E402
 from porosities import porosities  # noqa: E402
 from statements import Statement, test  # noqa: E402
 from statistics_of_runs import drawn_means, interval, verdict  # noqa: E402
+from variants import aspect_table, sensitivity_table  # noqa: E402
 
 RESULTS = ROOT / "inputs" / "results"
 
@@ -96,6 +100,73 @@ def check_verdicts():
         assert test(falls, {"q": runs})[3] == wanted, (runs, wanted)
 
 
+def check_limit():
+    """The straight line where the time step is 0: its interval covers the truth in 95 % of the cases; one of known values."""
+    random = np.random.default_rng(8)
+    steps, covered, cases = np.repeat([1e-6, 2e-6, 4e-6, 8e-6], 3), 0, 400
+    for _ in range(cases):
+        low, high = interval(limit(steps, 28.0 - 1e6 * steps + 1.5 * random.standard_normal(len(steps)))[1])
+        covered += low <= 28.0 <= high
+    assert abs(covered / cases - 0.95) < 3.0 * np.sqrt(0.95 * 0.05 / cases), covered / cases
+    value, draws = limit([1.0, 2.0, 3.0], [9.0, 8.0, 8.5])
+    assert abs(value - 9.0) < 1e-9, value  # y = 9 - x / 4
+    # Student's t of one degree of freedom times the scatter sqrt(0.375) and sqrt(7 / 3)
+    low, high = interval(draws)
+    assert abs(0.5 * (high - low) / (12.706 * np.sqrt(0.375 * 7.0 / 3.0)) - 1.0) < 0.05, (low, high)
+    assert limit([1.0, 1.0, 1.0], [1.0, 2.0, 3.0]) == limit([1.0, 2.0], [1.0, 2.0]) == (None, None)
+
+
+def check_variants():
+    """Each changed run is compared with those that it belongs to."""
+    def run(variant, kind, angle, law="displacement"):
+        return {"law": law, "variant": variant, "kind": kind, "repose_angle_deg": angle, "porosity": 0.15, "zpp": 4.0}
+
+    runs = [run("", 0, 28.0), run("", 0, 30.0), run("smooth side wall", 0, 25.0), run("smooth side wall", 0, 27.0),
+            run("a/b 5", 0, 40.0), run("a/b 5", 0, 40.0), run("a/b 5", 9, 50.0), run("a/b 5", 9, 46.0),
+            run("a/b 10", 0, 60.0), run("smooth side wall", 0, 1.0, "velocity"), run("time step 1e-6 s", 0, 1.0),
+            run("a/b 5, smooth side wall", 0, 1.0)]
+    lines = sensitivity_table(runs).splitlines()[2:]
+    assert [line.split(" | ")[:4] for line in lines] == [
+        ["| nothing", "2", "29.0", "-"], ["| smooth side wall", "2", "26.0", lines[1].split(" | ")[3]]], lines
+    value, low, high = (float(v) for v in re.findall(r"[+-][\d.]+", lines[1].split(" | ")[3]))
+    assert value == -3.0 and abs(low + 9.09) < 0.15 and abs(high - 3.09) < 0.15, lines  # Student's t 4.303, scatter sqrt(2)
+    lines = [line.split(" | ") for line in aspect_table(runs).splitlines()[2:]]
+    assert [line[:4] for line in lines] == [["| 5", "N = 9", "2", "48.0"], ["| 5", "smooth", "2", "40.0"],
+                                            ["| 10", "smooth", "1", "60.0"]], lines
+    assert lines[0][4].startswith("+20.0 ("), lines
+    assert "No such runs" in sensitivity_table(runs[:2]) and "No such runs" in aspect_table(runs[:4])
+
+
+def check_keeping():
+    """What a run has otherwise than the paper's is seen in its log; its piles over time are kept."""
+    pathlib.Path("kept").mkdir()
+    pathlib.Path("kept/runs.csv").write_text((RESULTS / "runs.csv").read_text().splitlines()[0] + "\n")
+    small = {"particles": 30, "settle": 0.4, "y0": 0.04, "dump_time": 0.2, "vtk": "no", "interval": 0.02}
+    for name, changes in [("plain", {"dt": 5e-6}), ("wall", {"dt": 5e-6, "side_wall": "smooth", "ground": "glued"}),
+                          ("creep", {"dt": 1e-5, "direction": "velocity", "eta_n": 1000, "surface": "multisphere"})]:
+        out = pathlib.Path("runs", name)
+        subprocess.run([TOOLS.parent / "liggghts", "-in", ROOT / "inputs" / "piling.in", "-log", "none",
+                        *(w for k, v in {**small, **changes, "out": out}.items() for w in ("-var", k, str(v)))], check=True,
+                       stdout=subprocess.DEVNULL)
+        subprocess.run([TOOLS, "pile", max(out.glob("pile.*.dump")), "--quiet", "--csv", out / "pile.csv"], check=True,
+                       stderr=subprocess.DEVNULL)
+    for _ in range(2):  # the second time there is nothing new
+        subprocess.run(["bash", ROOT / "inputs" / "study.sh", "--results", "kept", "--out", "drawn", "--add", "runs", "--commit",
+                        "abc"], check=True, stdout=subprocess.DEVNULL)
+    rows = {row["variant"]: row for row in read_list(pathlib.Path("kept"))}
+    assert set(rows) == {"particles 30, interval 0.02", "particles 30, interval 0.02, smooth side wall, glued ground",
+                         "time step 1e-05 s, normal damping 1000, particles 30, interval 0.02"}, rows
+    for row in rows.values():
+        with open(pathlib.Path("kept", row["file"]).parent / "series.csv", newline="") as stream:
+            times = [int(r["timestep"]) * float(row["time_step_s"]) for r in csv.DictReader(stream)]
+        assert np.allclose(times, [0.6, 0.8, 1.0]), times
+    assert {(r["law"], r["kind"], r["seed"], r["commit"]) for r in rows.values()} == {
+        ("displacement", 0, "1", "abc"), ("velocity", 5, "1", "abc")}
+    glued = rows["particles 30, interval 0.02, smooth side wall, glued ground"]
+    pile = study.measured(TOOLS, pathlib.Path("kept"), pathlib.Path("."), glued)
+    assert int(pile["particles"]) + int(pile["strays"]) == 30, "the glued grains are not measured"
+
+
 def check_messages():
     for words, message in [(["--add", "."], "--add needs --commit"),
                            (["--results", "absent"], "no list of runs")]:
@@ -106,6 +177,9 @@ def check_messages():
 
 def main():
     check_verdicts()
+    check_limit()
+    check_variants()
+    check_keeping()
     check_intervals()
     check_wedge()
     check_against_the_tools()
