@@ -27,10 +27,14 @@ class NearCandidates {
   /// Before new lists are made, on all ranks together: whether bodies are so long or flat that
   /// pairs are chosen by true shape, and by what margin.
   void prepare(LAMMPS_NS::LAMMPS& lmp);
-  /// For a new list.
+  /// For a new list; to be asked for each of its particles from 0 on.
   /// @param[in] contacts which know the bounds of all particles, ghosts too
   /// @return whether this should be used: the bins serve compact particles of about one size
-  bool begin(const LAMMPS_NS::LAMMPS& lmp, SurfaceContacts& contacts);
+  bool serve(int i, const LAMMPS_NS::LAMMPS& lmp, SurfaceContacts& contacts) {
+    if (i == 0)
+      serve_ = begin(lmp, contacts);
+    return serve_;
+  }
   /// The first particle after i that is near it; -1: there is none.
   int first(int i) {
     found_ = by_shape_ ? &bodies_.find(i) : &grids_.find(i);
@@ -48,11 +52,12 @@ class NearCandidates {
   ellipsoid::LongBodies bodies_;
   const std::vector<int>* found_ = nullptr;
   std::size_t at_ = 0;
-  bool by_shape_ = false;
+  bool serve_ = false, by_shape_ = false;
   double margin_ = 0.0;                        // (length)
   std::vector<ellipsoid::BodyBounds> bounds_;  // of all particles when the lists were made
   std::vector<double> centres_, orientations_; // of owned ones at that time
 
+  bool begin(const LAMMPS_NS::LAMMPS& lmp, SurfaceContacts& contacts);
   bool moved_too_far(const LAMMPS_NS::LAMMPS& lmp) const;
 };
 

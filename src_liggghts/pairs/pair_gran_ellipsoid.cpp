@@ -286,9 +286,7 @@ void PairGranEllipsoid::add_forces(int eflag, int vflag, bool for_list) {
 void PairGranEllipsoid::ghosts_are_new() { contacts_->ghosts_are_new(); }
 
 NearCandidates* PairGranEllipsoid::candidates_of(int i) {
-  if (i == 0)
-    bins_serve_badly_ = near_candidates_.begin(*lmp, *contacts_);
-  return bins_serve_badly_ ? &near_candidates_ : nullptr;
+  return near_candidates_.serve(i, *lmp, *contacts_) ? &near_candidates_ : nullptr;
 }
 
 void PairGranEllipsoid::write_restart_settings(FILE* file) {

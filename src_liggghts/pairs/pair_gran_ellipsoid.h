@@ -87,7 +87,6 @@ class PairGranEllipsoid : public ellipsoid_host::HostPairStyle,
   class FixContactHistoryEllipsoid* history_keeper_ = nullptr;
   ellipsoid_host::ContactCounts counts_;
   ellipsoid_host::NearCandidates near_candidates_;
-  bool bins_serve_badly_ = false;
   std::string arguments_; // empty: of an older restart file, which does not have them
   bool warned_ = false;
   LIGGGHTS::ContactModels::BatchNotice batch_notice_;
