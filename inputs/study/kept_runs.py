@@ -11,12 +11,12 @@ NUMBER = r"([\d.e+-]+)"
 END = 50.0  # s: when the paper measures
 SERIES = ("timestep", "repose_angle_deg", "repose_angle_standard_error_deg", "porosity", "zpp", "largest_speed_m_per_s")
 # what a run of the paper's matrix has; a run with other values is a variant of it
-PAPER_VALUES = (("friction", rf"coefficientFriction peratomtypepair 1 {NUMBER}\s*$", 0.3),
-                ("normal damping", rf"viscousDampingNormal peratomtypepair 1 {NUMBER}\s*$", 100.0),
-                ("tangential damping", rf"viscousDampingTangential peratomtypepair 1 {NUMBER}\s*$", 100.0),
-                ("modulus", rf"youngsModulus peratomtype {NUMBER}\s*$", 183e6),
-                ("particles", rf"insert/drop .* particles {NUMBER} ", 1000.0),
-                ("interval", rf"insert/drop .* interval {NUMBER} ", 0.04))
+PAPER_VALUES = {"friction": (rf"coefficientFriction peratomtypepair 1 {NUMBER}\s*$", 0.3),
+                "normal damping": (rf"viscousDampingNormal peratomtypepair 1 {NUMBER}\s*$", 100.0),
+                "tangential damping": (rf"viscousDampingTangential peratomtypepair 1 {NUMBER}\s*$", 100.0),
+                "modulus": (rf"youngsModulus peratomtype {NUMBER}\s*$", 183e6),
+                "particles": (rf"insert/drop .* particles {NUMBER} ", 1000.0),
+                "interval": (rf"insert/drop .* interval {NUMBER} ", 0.04)}
 PAPER_STEPS = {"displacement": 5e-6, "velocity": 2e-6}
 PAPER_ASPECT = 2.7 / 1.15
 
@@ -48,6 +48,11 @@ def wanted(pattern, text, what):
     return found[-1]
 
 
+def value(text, name):
+    """Of one of PAPER_VALUES."""
+    return float(wanted(PAPER_VALUES[name][0], text, name))
+
+
 def run_time(text):
     """Seconds of all parts of a run: each `run` of the log ends with its own."""
     return sum(float(t) for t in re.findall(r"^Loop time of (\S+) on", text, re.MULTILINE))
@@ -61,10 +66,9 @@ def variant_of(text, law, time_step):
     a, b = map(float, wanted(rf"semiaxes {NUMBER} {NUMBER} {NUMBER} mass", text, "semi-axes")[:2])
     if abs(a / b / PAPER_ASPECT - 1.0) > 1e-3:
         words.append(f"a/b {a / b:.4g}")
-    for name, pattern, value in PAPER_VALUES:
-        found = float(wanted(pattern, text, name))
-        if found != value:
-            words.append(f"{name} {found:g}")
+    for name, (_, of_paper) in PAPER_VALUES.items():
+        if value(text, name) != of_paper:
+            words.append(f"{name} {value(text, name):g}")
     if not re.search(r"^fix\s+wall .* tangential ", text, re.MULTILINE):
         words.append("smooth side wall")
     if re.search(r"^fix\s+glue ", text, re.MULTILINE):
@@ -122,7 +126,7 @@ def add(results, folder, commit, tools):
             raise SystemExit(f"study.sh: {table.parent} did not come to its end")
         frames = frames_of(table.parent, row["time_step_s"])
         half = 0.5 * float(row["time_step_s"])
-        last_drop = float(wanted(PAPER_VALUES[-2][1], text, "particles")) * float(wanted(PAPER_VALUES[-1][1], text, "interval"))
+        last_drop = value(text, "particles") * value(text, "interval")
         file = results / row["file"]
         file.parent.mkdir(exist_ok=True)
         pile = frames[max(t for t in frames if t < END + half)]
