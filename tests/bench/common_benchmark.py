@@ -39,8 +39,8 @@ CASES = {
     "silo": Case("silo", "silo", "flow", "flow", 0.02, {"particles": 10000}),
     "silo_full": Case("silo", "silo_full", "flow", "flow", 0.02, {"particles": 100000, "soften": 200, "fill": 0.6}),
     "drum": Case("drum", "drum", "turn", "turn", 0.05, {"width": 0.03, "size": 2.0}),
-    "drum_full": Case("drum", "drum_full", "turn", "turn", 0.05, {"width": 0.06}),
-    "drum_fine": Case("drum", "drum_full", "turn", "turn", 0.01, {"width": 0.06}, edge=1.5e-3),
+    "drum_full": Case("drum", "drum_full", "turn", "turn", 0.01, {"width": 0.06}),
+    "drum_fine": Case("drum", "drum_full", "turn", "turn", 0.002, {"width": 0.06}, edge=1.5e-3),
     "penetration": Case("penetration", "penetration", "impact", "time", 0.0235,
                         {"particles": 10000, "length": 0.062, "breadth": 0.038, "soften": 25, "skip": 0.0225}),
 }
@@ -100,7 +100,7 @@ def measure(engine, name, out, aspect, turns, steps):
         if not (folders[shape] / "filled.restart").exists():
             run(engine, {**settings[shape], "part": "fill"}, case.name, folders[shape])
         if case.edge:
-            settings[shape]["meshes"] = fine_meshes(out, case.edge)
+            settings[shape] |= {"meshes": fine_meshes(out, case.edge), "walls": "fine"}
     costs, counts = {shape: [] for shape in SHAPES}, {}
     for _ in range(turns):
         for shape in SHAPES:
