@@ -21,7 +21,7 @@ class SurfaceContacts : protected LAMMPS_NS::Pointers {
  public:
   SurfaceContacts(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::PairGranEllipsoid& pair)
       : Pointers(lmp), pair_(pair) {}
-  virtual ~SurfaceContacts() = default;
+  ~SurfaceContacts() override = default;
   /// After the contact models have added their values to the history.
   virtual void read_settings(const ModelSettings& settings) = 0;
   /// @param[in] is_time_step false: forces are computed for the same moment again, as when a run is
