@@ -5,7 +5,7 @@ ASCII STL in metres.
     python3 make_meshes.py
     python3 make_meshes.py --edge 1.5e-3      (only the benchmark's drum, of triangles with edges of about 1.5 mm)
 
-To change a mesh change the numbers in main(). A wall is a surface without thickness: particles may touch
+To change a mesh change the numbers in write_all() or benchmark(). A wall is a surface without thickness: particles may touch
 either side.
 """
 

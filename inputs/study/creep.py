@@ -77,11 +77,12 @@ def creep_table(runs, results):
     at_rest = [float(r["repose_angle_deg"]) for r in runs if r["law"] == "displacement" and r["kind"] == 0 and not r["variant"]]
     row = ["to 0", len(mine)]
     for time in TIMES:
-        known = [(float(r["time_step_s"]), at(series[r["run"]], time)) for r in mine]
-        value, drawn = limit(*zip(*[k for k in known if k[1] is not None] or [(0.0, 0.0)]))
+        known = [(float(r["time_step_s"]), angle) for r in mine if (angle := at(series[r["run"]], time)) is not None]
+        value, drawn = limit([step for step, _ in known], [angle for _, angle in known])
         row.append("-" if value is None else with_interval([value], drawn, 1))
     rows.append([*row, "", ""])
-    drawn = drawn_means({0: at_rest})
-    rows.append(["displacement", len(at_rest), "", "", with_interval(at_rest, drawn.get(0), 1) if at_rest else "-", "", "", "", ""])
+    if at_rest:
+        drawn = drawn_means({0: at_rest})
+        rows.append(["displacement", len(at_rest), "", "", with_interval(at_rest, drawn.get(0), 1), "", "", "", ""])
     return markdown(["time step, s", "runs", *(f"angle at {t} s" for t in TIMES), f"deg per s from {FROM:g} s on",
                      "that over the time step"], rows)

@@ -15,7 +15,7 @@ ROOT = pathlib.Path(os.environ["ELLIPSOID_SOURCE"])
 TOOLS = pathlib.Path(os.environ["ELLIPSOID_BIN"]) / "ellipsoid-post"
 sys.path.insert(0, str(ROOT / "inputs" / "study"))
 import main as study  # noqa: E402
-from creep import limit  # noqa: E402
+from creep import creep_table, limit  # noqa: E402
 from fits import CUTS, SEGMENTS, THROUGH, line, scan, surface_of  # noqa: E402
 from kept_runs import read_list  # noqa: E402
 from piles import A, B, Pile  # noqa: E402
@@ -116,6 +116,23 @@ def check_limit():
     assert limit([1.0, 1.0, 1.0], [1.0, 2.0, 3.0]) == limit([1.0, 2.0], [1.0, 2.0]) == (None, None)
 
 
+def check_creep():
+    """Angles that fall from 28 degrees by 0.2 degrees per second and 1e-6 s of time step: those rates, and 28 degrees at 0."""
+    runs = []
+    for step in 1e-6, 2e-6, 4e-6:
+        for k in range(2):
+            pathlib.Path(f"series/{step}_{k}").mkdir(parents=True)
+            rows = [f"{round(t / step)},{28.0 - 2e5 * step * (t - 40.0) + 0.01 * (-1) ** (t + k)}" for t in range(40, 56)]
+            pathlib.Path(f"series/{step}_{k}/series.csv").write_text("timestep,repose_angle_deg\n" + "\n".join(rows) + "\n")
+            runs.append({"run": f"{step}_{k}", "law": "velocity", "kind": 0, "time_step_s": str(step),
+                         "variant": f"time step {step} s", "file": f"{step}_{k}/pile"})
+    lines = [line.split(" | ") for line in creep_table(runs, pathlib.Path("series")).splitlines()[2:]]
+    for line, step in zip(lines, (1.0, 2.0, 4.0)):
+        assert line[2:5] == [f"{28.0 - 0.2 * step * s:.1f}" for s in (0, 5, 10)] and line[6] == "-", line
+        assert abs(float(line[7].split()[0]) + 0.2 * step) < 0.001 and line[8].startswith("-2e+05"), line
+    assert [cell.split()[0] for cell in lines[3][2:6]] == ["28.0"] * 4 and lines[3][6] == "-", lines[3]
+
+
 def check_variants():
     """Each changed run is compared with those that it belongs to."""
     def run(variant, kind, angle, law="displacement"):
@@ -178,6 +195,7 @@ def check_messages():
 def main():
     check_verdicts()
     check_limit()
+    check_creep()
     check_variants()
     check_keeping()
     check_intervals()
