@@ -5,6 +5,7 @@
 #include "gravity_options.h"
 #include "heap.h"
 #include "measure_rows.h"
+#include "messages.h"
 #include "porosity_value.h"
 #include "table_command.h"
 
@@ -21,10 +22,21 @@ struct HeapCommandOptions {
   int planes = 200;
 };
 
+/// A bed in a dish has an edge, and no angle of repose.
+void warn_of_flat_top(const std::string& run, const HeapAngle& heap, const HeapOptions& options) {
+  const double of_cone = 1.0 - options.cut_top / (1.0 - options.cut_bottom);
+  if (heap.line_share < 0.5 * of_cone)
+    report_warning(
+        fmt::format("{}: the line goes over {:.0f} % of the heap's radius, in a cone over "
+                    "{:.0f} %: the heap is flat on top, and the angle is that of its edge",
+                    run, 100.0 * heap.line_share, 100.0 * of_cone));
+}
+
 Row heap_row(const HeapCommandOptions& options, const ChosenFrame& chosen) {
   const UpDirection up = up_direction(options.up, chosen);
   const ParticleSet set = turned_upright(chosen.set, up.axis);
   const HeapAngle heap = heap_angle(set, options.heap);
+  warn_of_flat_top(chosen.run, heap, options.heap);
   const auto members = largest_cluster(set, options.heap.cluster_gap);
   Row row = frame_row(chosen);
   append_surface(row, set);

@@ -144,6 +144,11 @@ def check_space():
     # steps of 1.4 B over its 0.03 m of height
     assert abs(heap["repose_angle_deg"] - 25) < 1.5, heap
     assert abs(heap["axis_x_m"]) < B and heap["strays"] == 0
+    assert "flat on top" not in post("heap", "cone.dump", "--sectors", 6)[1]
+    # the same cone cut off at a fifth of its height: its edge only has an angle
+    low = [row for row in cone(25, 0.03) if row["z"] < 0.006]
+    _, error = post("heap", write("disc.dump", frame_text(7, low)), "--sectors", 6)
+    assert error.count("\n") == 1 and "flat on top" in error and "in a cone over 75 %" in error, error
     _, error = post("heap", write("one.dump", frame_text(7, [particle(1, 0, 0)])), expect=1)
     assert "rings" in error
     for up in "y", "z":

@@ -63,8 +63,13 @@ std::vector<Profile> sector_profiles(const HeightMap& map, const Point& axis, in
   return profiles;
 }
 
-double sector_angle(const Profile& profile, double height, double ring_width,
-                    const HeapOptions& options) {
+struct SectorLine {
+  double angle_deg;
+  double share; ///< of the radius out to B
+};
+
+SectorLine sector_line(const Profile& profile, double height, double ring_width,
+                       const HeapOptions& options) {
   const std::size_t a = profile.outermost((1.0 - options.cut_top) * height);
   const std::size_t b = profile.outermost(options.cut_bottom * height);
   const std::size_t first = a > 0 ? a - 1 : 0;
@@ -75,7 +80,8 @@ double sector_angle(const Profile& profile, double height, double ring_width,
   std::vector<Point> points;
   for (std::size_t ring = first; ring < b; ++ring)
     points.emplace_back((static_cast<double>(ring) + 0.5) * ring_width, profile.mean(ring));
-  return std::atan(-fit_line(points).slope) * 180.0 / M_PI;
+  return {std::atan(-fit_line(points).slope) * 180.0 / M_PI,
+          static_cast<double>(b - first) / static_cast<double>(b)};
 }
 
 /// Particles whose centres lie in one plane along an axis are no heap in space.
@@ -116,8 +122,11 @@ HeapAngle heap_angle(const ParticleSet& upright, const HeapOptions& options) {
         whole.add(ring, profile.mean(ring));
   for (std::size_t ring = 0; ring < whole.sums.size(); ++ring)
     result.height = std::max(result.height, whole.mean(ring));
-  for (const Profile& profile : profiles)
-    result.sector_angles_deg.push_back(sector_angle(profile, result.height, mean_a, options));
+  for (const Profile& profile : profiles) {
+    const SectorLine line = sector_line(profile, result.height, mean_a, options);
+    result.sector_angles_deg.push_back(line.angle_deg);
+    result.line_share += line.share / static_cast<double>(options.sectors);
+  }
   result.spread = spread_of(result.sector_angles_deg);
   result.standard_error =
       result.spread.standard_deviation / std::sqrt(static_cast<double>(options.sectors));

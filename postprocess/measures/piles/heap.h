@@ -22,6 +22,9 @@ struct HeapAngle {
   double standard_error = 0.; ///< standard deviation over sectors / sqrt(sectors) (deg)
   std::size_t members = 0, strays = 0;
   double volume = 0.0; ///< between floor and free surface (length^3)
+  /// Part of the heap's radius, out to B, that the line goes over, mean over sectors; of a cone
+  /// 1 - cut_top / (1 - cut_bottom).
+  double line_share = 0.0;
 };
 
 /// Angle of repose of a heap on a floor; z points up.
