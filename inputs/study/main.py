@@ -16,6 +16,7 @@ except ImportError:
 import tables
 from creep import creep_table
 from fits import scan, surface_of
+from heaps import heap_table, read_heaps
 from kept_runs import add, read_list
 from piles import read_pile
 from porosities import porosities
@@ -74,7 +75,7 @@ def draw(tools, results, out, tables_of_runs, law, runs):
 def parts_of(runs, results):
     """{name of the marks: table}."""
     parts = {"runs": tables.run_table(runs), "creep": creep_table(runs, results),
-             "sensitivity": sensitivity_table(runs), "aspects": aspect_table(runs)}
+             "sensitivity": sensitivity_table(runs), "aspects": aspect_table(runs), "heaps": heap_table(read_heaps(results))}
     for law in ("displacement", "velocity"):
         mine = [r for r in runs if r["law"] == law and not r["variant"]]
         for name, table in (("means", tables.mean_table), ("statements", tables.statement_table),

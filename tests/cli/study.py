@@ -17,6 +17,7 @@ sys.path.insert(0, str(ROOT / "inputs" / "study"))
 import main as study  # noqa: E402
 from creep import creep_table, limit  # noqa: E402
 from fits import CUTS, SEGMENTS, THROUGH, line, scan, surface_of  # noqa: E402
+from heaps import heap_table, read_heaps  # noqa: E402
 from kept_runs import read_list  # noqa: E402
 from piles import A, B, Pile  # noqa: E402
 from porosities import porosities  # noqa: E402
@@ -154,6 +155,18 @@ def check_variants():
     assert "No such runs" in sensitivity_table(runs[:2]) and "No such runs" in aspect_table(runs[:4])
 
 
+def check_heaps():
+    """Smooth heaps come last, also where the table of the campaign says 5 sub-spheres of them."""
+    pathlib.Path("heaps").mkdir()
+    assert "No heaps" in heap_table(read_heaps(pathlib.Path("heaps")))
+    rows = [("smooth", 5, 28.0), ("smooth", "", 30.0), ("multisphere", 17, 29.0), ("multisphere", 3, 35.0), ("multisphere", 3, 37.0)]
+    pathlib.Path("heaps/heaps.csv").write_text("surface,subspheres,repose_angle_deg,porosity,zpp\n" + "".join(
+        f"{surface},{n},{angle},0.4,5.5\n" for surface, n, angle in rows))
+    lines = [line.split(" | ") for line in heap_table(read_heaps(pathlib.Path("heaps"))).splitlines()[2:]]
+    assert [line[:3] for line in lines] == [["| N = 3", "2", "36.0"], ["| N = 17", "1", "29.0"], ["| smooth", "2", "29.0"]], lines
+    assert lines[0][3].startswith("+24.1 (") and lines[2][3] == "-", lines
+
+
 def check_keeping():
     """What a run has otherwise than the paper's is seen in its log; its piles over time are kept."""
     pathlib.Path("kept").mkdir()
@@ -197,6 +210,7 @@ def main():
     check_limit()
     check_creep()
     check_variants()
+    check_heaps()
     check_keeping()
     check_intervals()
     check_wedge()
