@@ -79,7 +79,7 @@ def parts_of(runs, results):
     for law in ("displacement", "velocity"):
         mine = [r for r in runs if r["law"] == law and not r["variant"]]
         for name, table in (("means", tables.mean_table), ("statements", tables.statement_table),
-                            ("fit", tables.scan_table), ("porosity", tables.porosity_table)):
+                            ("fit", tables.scan_part), ("porosity", tables.porosity_table)):
             parts[f"{name} {law}"] = table(mine) if mine else "No runs of this law are kept yet.\n"
     return parts
 

@@ -74,6 +74,30 @@ def scan_table(runs):
     return markdown(["particles", "runs", "A-B", "through", *(f"{100 * c:g} %" for c in CUTS)], rows)
 
 
+def paper_angles():
+    """{kind: degrees} of the paper's means."""
+    return {kind: float(words.split()[0]) for kind, words in PAPER["repose_angle_deg"].items()}
+
+
+def closest_way(runs):
+    """((segment, through, cut), root mean square of the means' distances from the paper's, deg) of the way that comes closest."""
+    paper = {kind: angle for kind, angle in paper_angles().items() if any(r["kind"] == kind for r in runs)}
+
+    def distance(way):
+        means = [np.mean([r["scan"][way] for r in runs if r["kind"] == kind]) - angle for kind, angle in paper.items()]
+        return np.sqrt(np.mean(np.square(means)))
+
+    ways = [(s, t, c) for s in SEGMENTS for t in THROUGH for c in CUTS]
+    return min(((way, distance(way)) for way in ways), key=lambda pair: pair[1])
+
+
+def scan_part(runs):
+    """The table of the scan, and which way comes closest."""
+    (segment, through, cut), distance = closest_way(runs)
+    return (scan_table(runs) + f"\nClosest to the paper's means: A-B by {segment}, {100 * cut:g} % left out, through the {through}; root mean "
+            f"square of the distances {distance:.1f} degrees. That the paper did so is a guess.\n")
+
+
 def porosity_table(runs):
     kinds = kinds_of(runs)
     rows = [[reading, *(f"{np.mean([r['porosities'][reading] for r in runs if r['kind'] == k]):.3f}" for k in kinds)]

@@ -15,6 +15,7 @@ ROOT = pathlib.Path(os.environ["ELLIPSOID_SOURCE"])
 TOOLS = pathlib.Path(os.environ["ELLIPSOID_BIN"]) / "ellipsoid-post"
 sys.path.insert(0, str(ROOT / "inputs" / "study"))
 import main as study  # noqa: E402
+import tables  # noqa: E402
 from creep import creep_table, limit  # noqa: E402
 from fits import CUTS, SEGMENTS, THROUGH, line, scan, surface_of  # noqa: E402
 from heaps import heap_table, read_heaps  # noqa: E402
@@ -155,6 +156,19 @@ def check_variants():
     assert "No such runs" in sensitivity_table(runs[:2]) and "No such runs" in aspect_table(runs[:4])
 
 
+def check_closest_way():
+    """The one way whose means are those of the paper, but for one that is 1 degree off."""
+    paper = {0: 22.7, 3: 29.1, 5: 26.6, 13: 23.5, 17: 23.3}
+    assert tables.paper_angles() == paper
+    ways = [(s, t, c) for s in SEGMENTS for t in THROUGH for c in CUTS]
+    right = ways[7]
+    runs = [{"kind": kind, "scan": {way: angle + side + (1.0 if way != right or kind == 3 else 0.0) for way in ways}}
+            for kind, angle in paper.items() for side in (-2.0, 2.0)]
+    runs.append({"kind": 9, "scan": dict.fromkeys(ways, 90.0)})  # the paper gives no number
+    way, distance = tables.closest_way(runs)
+    assert way == right and abs(distance - np.sqrt(1.0 / 5.0)) < 1e-9, (way, distance)
+
+
 def check_heaps():
     """Smooth heaps come last, also where the table of the campaign says 5 sub-spheres of them."""
     pathlib.Path("heaps").mkdir()
@@ -210,6 +224,7 @@ def main():
     check_limit()
     check_creep()
     check_variants()
+    check_closest_way()
     check_heaps()
     check_keeping()
     check_intervals()
