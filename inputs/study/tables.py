@@ -92,7 +92,9 @@ def closest_way(runs):
 
 
 def scan_part(runs):
-    """The table of the scan, and which way comes closest."""
+    """The table of the scan, and which way comes closest, where the paper gives a mean of one of these kinds."""
+    if not any(r["kind"] in PAPER["repose_angle_deg"] for r in runs):
+        return scan_table(runs)
     (segment, through, cut), distance = closest_way(runs)
     return (scan_table(runs) + f"\nClosest to the paper's means: A-B by {segment}, {100 * cut:g} % left out, through the {through}; root mean "
             f"square of the distances {distance:.1f} degrees. That the paper did so is a guess.\n")

@@ -167,6 +167,7 @@ def check_closest_way():
     runs.append({"kind": 9, "scan": dict.fromkeys(ways, 90.0)})  # the paper gives no number
     way, distance = tables.closest_way(runs)
     assert way == right and abs(distance - np.sqrt(1.0 / 5.0)) < 1e-9, (way, distance)
+    assert "Closest" in tables.scan_part(runs) and "Closest" not in tables.scan_part(runs[-1:])
 
 
 def check_heaps():

@@ -23,6 +23,7 @@ SEEDS = (32452867, 49979687, 86028121) if FULL else (32452867,)
 PARTICLES = 5000 if FULL else 2500
 RADIUS, OUTLET, HEIGHT = 5e-3 / 3.0, 0.010, 0.018  # of the sphere of the same volume, of the orifice, its height; m
 FILL, FLOW = (0.4, 0.75) if FULL else (0.3, 0.45)
+TIME_STEP = 2e-5  # s
 STEADY = 0.1  # s after the lid was taken away
 
 
@@ -32,16 +33,12 @@ def rate(aspect, seed):
     run_example("hopper", {"mesh": "silo.stl", "meshes": Path(os.environ["ELLIPSOID_SOURCE"]) / "inputs" / "meshes",
                            "ground": "none", "insert_top": 0.247 if FULL else 0.167, "particles": PARTICLES, "seed": seed,
                            "a": RADIUS * aspect ** (2.0 / 3.0), "b": RADIUS * aspect ** (-1.0 / 3.0),
-                           "mu": 0.3, "mu_r": 0.0, "dt": 2e-5, "fill": FILL, "flow": FLOW, "dump_time": 0.01, "out": out},
+                           "mu": 0.3, "mu_r": 0.0, "dt": TIME_STEP, "fill": FILL, "flow": FLOW, "dump_time": 0.01, "out": out},
                 timeout=3000)
-    files = sorted(Path(out).glob("hopper.*.dump"))
-    steps, counts = [], []
-    for file in files:
-        step, columns = read_dump(file)
-        steps.append(step[0])
-        counts.append((columns["z"][0] >= HEIGHT).sum())
-    time, inside = np.array(steps) * 2e-5, np.array(counts)
-    placed = read_dump(files[0])[1]["id"].shape[1]
+    frames = [read_dump(file) for file in sorted(Path(out).glob("hopper.*.dump"))]
+    time = np.array([steps[0] for steps, _ in frames]) * TIME_STEP
+    inside = np.array([(columns["z"][0] >= HEIGHT).sum() for _, columns in frames])
+    placed = frames[0][1]["id"].shape[1]
     assert placed > 0.98 * PARTICLES, placed
     assert inside[time < FILL].min() == placed, "all particles are above the lid until it is taken away"
     flows = time > FILL + STEADY
